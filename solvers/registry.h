@@ -1,0 +1,88 @@
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "solvers/options.h"
+#include "solvers/result.h"
+
+namespace lcp {
+
+/// A method with its options set, ready to solve. It never prints, exits, or reads a clock.
+class Solver {
+ public:
+  virtual ~Solver() = default;
+  /// Solves LCP(M, q). Mathematics (ray, cycle, singular basis) is a claim; only a caller's mistake
+  /// (shape, start out of range) throws. Same input, same pivots and bits.
+  virtual Result solve(const Problem& problem, const Call& call = {}) const = 0;
+  /// Live access to this solver's options.
+  virtual OptionTable options() = 0;
+};
+
+/// What a row of the registry says of itself.
+struct RowInfo {
+  std::string name;
+  std::string summary;
+  std::string source;
+  enum class Kind {
+    pivoting,   ///< Finite: walks from basis to basis; a result is exact up to rounding.
+    iterative,  ///< Approaches a solution to its own tolerance.
+  } kind = Kind::pivoting;
+  std::string version = "1";  ///< Raised when the row's results change.
+};
+
+/// One row of the registry: a method with the defaults that make it this variant.
+struct Row {
+  RowInfo info;
+  std::function<std::unique_ptr<Solver>()> make;
+};
+
+/// All rows, sorted by name, so that link order decides nothing.
+const std::vector<Row>& registry();
+
+/// A solver in full spelling.
+struct NamedSolver {
+  std::string spelling;  ///< Name and every setting that differs from the row's default, in table order.
+  RowInfo info;
+  std::shared_ptr<Solver> solver;
+};
+
+/// The row called `name`; throws std::invalid_argument with the list of rows.
+const Row& find_row(const std::string& name);
+
+/// Makes the solver that `name:key=value,...` describes; throws std::invalid_argument with the list
+/// of what is allowed.
+NamedSolver make_solver(const std::string& text);
+
+/// The same for a list in which `all` stands for every row and a name may hold `*`:
+/// `best-first*:epsilon=1e-6`. Order is kept, repetitions are dropped.
+std::vector<NamedSolver> make_solvers(const std::vector<std::string>& texts);
+
+/// Registers a row for as long as the program runs; construct it at the foot of the method's file.
+/// `table(Options&)` lists the options, `solve(Problem, Options, Call)` is the method.
+struct Registration {
+  template <class Options, class Table, class Solve>
+  Registration(RowInfo info, Options defaults, Table table, Solve solve) {
+    class Method final : public Solver {
+     public:
+      Method(Options options, Table list, Solve run)
+          : options_(std::move(options)), list_(list), run_(run) {}
+      Result solve(const Problem& problem, const Call& call) const override {
+        return run_(problem, options_, call);
+      }
+      OptionTable options() override { return list_(options_); }
+
+     private:
+      Options options_;
+      Table list_;
+      Solve run_;
+    };
+    add({std::move(info), [=] { return std::make_unique<Method>(defaults, table, solve); }});
+  }
+
+ private:
+  static void add(Row row);
+};
+
+}  // namespace lcp
