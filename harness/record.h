@@ -1,13 +1,12 @@
 #pragma once
 
 #include <cstdint>
-#include <iosfwd>
+#include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
 #include <vector>
 
-#include <nlohmann/json.hpp>
-
+#include "harness/file_descriptor.h"
 #include "harness/judge.h"
 
 namespace lcp {
@@ -22,12 +21,13 @@ struct Record {
   Index n = 0;
   Index contacts = 0;
   std::optional<Index> active_contacts;
-  std::string solver;            ///< Full spelling.
-  std::string row;               ///< Name of the registry row.
-  std::string version;           ///< Of the registry row.
-  nlohmann::json options;        ///< Every option with its value, defaults included.
+  std::string solver;      ///< Full spelling.
+  std::string row;         ///< Name of the registry row.
+  std::string version;     ///< Of the registry row.
+  nlohmann::json options;  ///< Every option with its value, defaults included.
   std::string start = "cold";
-  Claim claim = Claim::singular;  ///< Meaningless (and absent in JSON) where `verdict` is the runner's.
+  Claim claim = Claim::singular;  ///< Meaningless (and absent in JSON) where the verdict is the
+                                  ///< runner's.
   std::string message;
   Verdict verdict = Verdict::not_run;
   bool unclaimed = false;
@@ -39,39 +39,43 @@ struct Record {
   int exit_signal = 0;                 ///< Of a crashed or killed worker.
   std::string stderr_end;              ///< Last 400 bytes a worker wrote to stdout or stderr.
   int jobs = 1;
-  std::string environment;             ///< Id of env.json.
+  std::string environment;  ///< Id of env.json.
 
-  /// Median of times_ns; empty when there is none.
+  /// Median of times_ns (see observed_quantile); empty when there is none.
   std::optional<std::int64_t> median_ns() const;
 };
 
-/// Non-finite numbers are written as strings ("inf", "nan"), which from_json reads back.
+/// True for timeout, memory, crash and not-run: there was no answer to judge.
+bool decided_by_runner(Verdict verdict);
+
+void to_json(nlohmann::json& json, const Work& work);
+/// Throws as from_json of a record.
+void from_json(const nlohmann::json& json, Work& work);
+
+/// Non-finite numbers are written as strings ("inf", "-inf", "nan"), which from_json reads back.
 void to_json(nlohmann::json& json, const Record& record);
 /// Throws std::invalid_argument saying which field is missing or malformed.
 void from_json(const nlohmann::json& json, Record& record);
 
-/// Reads rows.jsonl of a run directory, in file order. Throws std::runtime_error naming file and
-/// line on a malformed row; an unfinished last line (a killed writer's) is dropped.
+/// Reads rows.jsonl of a run directory, in file order. Throws std::runtime_error naming the file,
+/// and the line of a malformed row; an unfinished last line (a killed writer's) is dropped.
 std::vector<Record> read_records(const std::string& directory);
 
-/// Appends whole lines to rows.jsonl of a run directory, each flushed before the next begins.
+/// Appends whole lines to rows.jsonl of a run directory, each handed to the system in one piece
+/// before the next begins.
 class RecordWriter {
  public:
-  /// Creates the file; throws std::system_error when it cannot.
+  /// Creates the file or continues it, cutting off an unfinished last line; throws
+  /// std::system_error when it cannot.
   explicit RecordWriter(const std::string& directory);
-  ~RecordWriter();
-  RecordWriter(const RecordWriter&) = delete;
-  RecordWriter& operator=(const RecordWriter&) = delete;
   /// Throws std::system_error on a full disk, leaving the rows before this one intact: what was
-  /// written of this one is cut off again.
+  /// written of this one is cut off again. Bytes that are not UTF-8 (a worker's output may be
+  /// anything) are replaced by U+FFFD.
   void write(const Record& record);
 
  private:
   std::string path_;
-  int file_ = -1;
+  FileDescriptor file_;
 };
-
-/// Machine, compiler, flags, commit, library versions and jobs of a run, with a hash as "id".
-nlohmann::json describe_environment(int jobs);
 
 }  // namespace lcp

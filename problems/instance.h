@@ -19,8 +19,10 @@ struct Instance {
   std::string sha256;  ///< Of the problem's content (see content_hash); 64 hexadecimal digits.
 };
 
-/// SHA-256 of n, M, q, scales, covering vector, pivot limit and friction blocks as little-endian
-/// IEEE doubles in a fixed order; -0 counts as 0. Names and provenance do not enter.
+/// SHA-256 of n, M, q, s_z, s_w, c, pivot limit, whether there are friction blocks (0 or 1), and
+/// their fields in the order of FrictionBlocks. Every number is a little-endian IEEE double, -0
+/// counting as 0; matrices go column by column behind their rows and columns, lists of row numbers
+/// behind their length. Names and provenance do not enter.
 std::string content_hash(const Problem& problem);
 
 /// Checks the problem (throws std::invalid_argument naming `name`) and fills the hash.

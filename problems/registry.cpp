@@ -1,10 +1,10 @@
 #include "problems/registry.h"
 
-#include <algorithm>
-#include <stdexcept>
-
 #include <fmt/format.h>
 #include <fmt/ranges.h>
+
+#include <algorithm>
+#include <stdexcept>
 
 namespace lcp {
 

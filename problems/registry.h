@@ -56,7 +56,9 @@ struct FamilyRegistration {
      public:
       Generated(Knobs knobs, Table list, Make draw)
           : knobs_(std::move(knobs)), list_(list), draw_(draw) {}
-      std::vector<Instance> generate(const Draw& draw) const override { return draw_(knobs_, draw); }
+      std::vector<Instance> generate(const Draw& draw) const override {
+        return draw_(knobs_, draw);
+      }
       OptionTable options() override { return list_(knobs_); }
 
      private:

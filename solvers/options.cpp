@@ -1,12 +1,12 @@
 #include "solvers/options.h"
 
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
 #include <charconv>
 #include <cmath>
 #include <limits>
 #include <stdexcept>
-
-#include <fmt/format.h>
-#include <fmt/ranges.h>
 
 namespace lcp {
 
@@ -36,7 +36,10 @@ std::optional<Number> read_number(const std::string& word) {
 template <class Number>
 Option number(std::string name, Number& field, Number min, Number max, std::string doc,
               std::string accepts) {
-  return {name, std::move(doc), accepts, [&field] { return fmt::format("{}", field); },
+  return {name,
+          std::move(doc),
+          accepts,
+          [&field] { return fmt::format("{}", field); },
           [&field, name, min, max, accepts](const std::string& word) {
             const std::optional<Number> value = read_number<Number>(word);
             if (!value || !(*value >= min && *value <= max)) refuse(name, word, accepts);
@@ -96,14 +99,21 @@ Option count_or(std::string name, Index& field, Index min, Index max, std::strin
 }
 
 Option text(std::string name, std::string& field, std::string doc) {
-  return {std::move(name), std::move(doc), "text without commas", [&field] { return field; },
-          [&field](const std::string& word) { field = word; }, {}};
+  return {std::move(name),
+          std::move(doc),
+          "text without commas",
+          [&field] { return field; },
+          [&field](const std::string& word) { field = word; },
+          {}};
 }
 
 Option choice(std::string name, std::vector<std::string> values, std::function<int()> get_index,
               std::function<void(int)> set_index, std::string doc) {
   std::string accepts = fmt::format("one of {}", fmt::join(values, ", "));
-  return {name, std::move(doc), accepts, [values, get_index] { return values.at(get_index()); },
+  return {name,
+          std::move(doc),
+          accepts,
+          [values, get_index] { return values.at(get_index()); },
           [name, values, set_index, accepts](const std::string& word) {
             for (std::size_t i = 0; i < values.size(); ++i)
               if (values[i] == word) return set_index(static_cast<int>(i));
@@ -125,8 +135,7 @@ Spelling parse_spelling(const std::string& text) {
     const std::string setting = text.substr(begin, end - begin);
     const std::size_t equals = setting.find('=');
     if (equals == std::string::npos || equals == 0 || equals + 1 == setting.size())
-      throw std::invalid_argument(
-          fmt::format("'{}' in '{}': expected key=value", setting, text));
+      throw std::invalid_argument(fmt::format("'{}' in '{}': expected key=value", setting, text));
     const std::string key = setting.substr(0, equals);
     for (const auto& [known, value] : spelling.settings)
       if (known == key)
@@ -146,8 +155,8 @@ void apply(const OptionTable& table, const Spelling& spelling, const std::string
       if (option.name == key) found = &option;
     }
     if (!found)
-      throw std::invalid_argument(fmt::format("{} has no option '{}', it has: {}", owner, key,
-                                              fmt::join(names, ", ")));
+      throw std::invalid_argument(
+          fmt::format("{} has no option '{}', it has: {}", owner, key, fmt::join(names, ", ")));
     try {
       found->set(value);
     } catch (const std::invalid_argument& error) {

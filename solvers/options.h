@@ -13,8 +13,8 @@ namespace lcp {
 /// command line, `list solvers` and the records are derived from that table.
 struct Option {
   std::string name;
-  std::string doc;     ///< One line, with unit or scale.
-  std::string accepts; ///< Range or list of values, as printed in errors.
+  std::string doc;      ///< One line, with unit or scale.
+  std::string accepts;  ///< Range or list of values, as printed in errors.
   std::function<std::string()> get;
   std::function<void(const std::string&)> set;  ///< Throws std::invalid_argument with the offence.
   /// Values, fast and rough to slow and exact, along which the option trades speed for accuracy;

@@ -1,8 +1,8 @@
 #include "solvers/problem.h"
 
-#include <stdexcept>
-
 #include <fmt/format.h>
+
+#include <stdexcept>
 
 namespace lcp {
 

@@ -20,7 +20,8 @@ struct FrictionBlocks {
   MatrixXd W;     ///< 3 Nc x 3 Nc, m/s per N: dt J Phi J' (15), symmetric, often rank-deficient.
   VectorXd vbar;  ///< 3 Nc, m/s: velocity at the end of the step without contact forces (16).
   VectorXd mu;    ///< Nc, friction coefficients, >= 0.
-  MatrixXd directions;  ///< 2 x Nc*m: unit vectors c_im in contact i's tangent plane, columns i*m...
+  MatrixXd
+      directions;  ///< 2 x Nc*m: unit vectors c_im in contact i's tangent plane, columns i*m...
   Index directions_per_contact = 0;  ///< m: even, c_i,m/2+k = -c_ik; in ascending angle.
   std::vector<Index> normal_row;     ///< Row of a_i.
   std::vector<Index> friction_row;   ///< Row of b_i1 (b_im follow one another); -1 where mu_i = 0.
@@ -45,7 +46,9 @@ struct Problem {
   std::optional<FrictionBlocks> friction;
 
   Index size() const { return q.size(); }
-  Index max_pivots() const { return pivot_limit > 0 ? pivot_limit : std::max<Index>(1000, 50 * size()); }
+  Index max_pivots() const {
+    return pivot_limit > 0 ? pivot_limit : std::max<Index>(1000, 50 * size());
+  }
 };
 
 /// Fills s_z and s_w of a problem without contact structure: s_w = |q|_inf (1 if zero),

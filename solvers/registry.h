@@ -43,7 +43,8 @@ const std::vector<Row>& registry();
 
 /// A solver in full spelling.
 struct NamedSolver {
-  std::string spelling;  ///< Name and every setting that differs from the row's default, in table order.
+  std::string
+      spelling;  ///< Name and every setting that differs from the row's default, in table order.
   RowInfo info;
   std::shared_ptr<Solver> solver;
 };

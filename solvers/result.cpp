@@ -1,29 +1,37 @@
 #include "solvers/result.h"
 
-#include <stdexcept>
-
 #include <fmt/format.h>
 #include <fmt/ranges.h>
+
+#include <stdexcept>
 
 namespace lcp {
 
 const std::vector<Claim>& all_claims() {
-  static const std::vector<Claim> claims = {Claim::solved,   Claim::ray,         Claim::exhausted,
-                                            Claim::infeasible, Claim::cycle,     Claim::limit,
-                                            Claim::singular, Claim::unsupported};
+  static const std::vector<Claim> claims = {Claim::solved,     Claim::ray,        Claim::exhausted,
+                                            Claim::infeasible, Claim::cycle,      Claim::limit,
+                                            Claim::singular,   Claim::unsupported};
   return claims;
 }
 
 std::string to_string(Claim claim) {
   switch (claim) {
-    case Claim::solved: return "solved";
-    case Claim::ray: return "ray";
-    case Claim::exhausted: return "exhausted";
-    case Claim::infeasible: return "infeasible";
-    case Claim::cycle: return "cycle";
-    case Claim::limit: return "limit";
-    case Claim::singular: return "singular";
-    case Claim::unsupported: return "unsupported";
+    case Claim::solved:
+      return "solved";
+    case Claim::ray:
+      return "ray";
+    case Claim::exhausted:
+      return "exhausted";
+    case Claim::infeasible:
+      return "infeasible";
+    case Claim::cycle:
+      return "cycle";
+    case Claim::limit:
+      return "limit";
+    case Claim::singular:
+      return "singular";
+    case Claim::unsupported:
+      return "unsupported";
   }
   return "?";
 }

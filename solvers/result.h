@@ -28,10 +28,10 @@ Claim claim_from_string(const std::string& name);
 
 /// Deterministic counts of what was done.
 struct Work {
-  Index pivots = 0;          ///< Basis changes computed, abandoned branches included ("total pivots").
-  Index path = 0;            ///< Basis changes on the path to the returned basis.
-  Index nodes = 0;           ///< Search nodes opened.
-  Index generated = 0;       ///< Search nodes generated.
+  Index pivots = 0;     ///< Basis changes computed, abandoned branches included ("total pivots").
+  Index path = 0;       ///< Basis changes on the path to the returned basis.
+  Index nodes = 0;      ///< Search nodes opened.
+  Index generated = 0;  ///< Search nodes generated.
   Index largest_queue = 0;   ///< Most nodes waiting at once.
   Index replayed = 0;        ///< Tableau pivots repeated to return to an abandoned branch.
   Index factorisations = 0;  ///< LU factorisations of a basis.

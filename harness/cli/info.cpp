@@ -1,0 +1,92 @@
+#include <fmt/format.h>
+
+#include <memory>
+#include <nlohmann/json.hpp>
+
+#include "harness/cli/verbs.h"
+#include "problems/features.h"
+#include "problems/io/load.h"
+
+namespace lcp::cli {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+struct InfoArguments {
+  std::string where;
+  bool json = false;
+};
+
+Json range(const VectorXd& numbers) {
+  if (numbers.size() == 0) return nullptr;
+  return {numbers.minCoeff(), numbers.maxCoeff()};
+}
+
+template <class Number>
+Json or_null(const std::optional<Number>& number) {
+  if (!number) return nullptr;
+  return *number;
+}
+
+/// The features of an instance, named as they are printed.
+Json describe(const Instance& instance) {
+  const Features of = features(instance.problem);
+  Json json = {{"name", instance.name},
+               {"sha256", instance.sha256},
+               {"n", of.n},
+               {"contacts", of.contacts},
+               {"active contacts", or_null(instance.active_contacts)},
+               {"asymmetry", of.asymmetry},
+               {"density", of.density},
+               {"rank", or_null(of.rank)},
+               {"condition", or_null(of.condition)},
+               {"rank and condition of", of.contacts > 0 ? "W" : "M"},
+               {"tied in q", of.tied_q},
+               {"scales of z", range(instance.problem.s_z)},
+               {"scales of w", range(instance.problem.s_w)},
+               {"covering vector", instance.problem.c.size() > 0 ? "its own" : "1"},
+               {"pivot limit", instance.problem.max_pivots()},
+               {"solution known", instance.known_solution.has_value()}};
+  json["provenance"] = instance.provenance;
+  return json;
+}
+
+std::string printed(const Json& value) {
+  if (value.is_null()) return "unknown";
+  if (value.is_string()) return value.get<std::string>();
+  if (value.is_array()) return fmt::format("{} ... {}", value[0].dump(), value[1].dump());
+  return value.dump();
+}
+
+int info(const InfoArguments& arguments) {
+  Json all = Json::array();
+  for (const Instance& instance : load_instances(arguments.where))
+    all.push_back(describe(instance));
+  if (arguments.json) {
+    fmt::print("{}\n", Json{{"instances", all}}.dump(1));
+    return done;
+  }
+  for (const Json& json : all) {
+    for (const auto& [key, value] : json.items())
+      if (key != "provenance") fmt::print("{:<22} {}\n", key, printed(value));
+    for (const auto& [key, value] : json["provenance"].items())
+      fmt::print("  {:<20} {}\n", key, printed(value));
+    fmt::print("\n");
+  }
+  return done;
+}
+
+}  // namespace
+
+Verb add_info(CLI::App& program) {
+  CLI::App* page = program.add_subcommand(
+      "info", "Describe instances: size, contacts, rank, condition, ties, scales, provenance");
+  auto arguments = std::make_shared<InfoArguments>();
+  page->add_option("INSTANCE", arguments->where, "FILE, FILE#NAME or directory")->required();
+  page->add_flag("--json", arguments->json, "As JSON");
+  page->footer("Example:\n  lcpbench info squat.hdf5#squat-like/0003");
+  return {page, [arguments] { return info(*arguments); }};
+}
+
+}  // namespace lcp::cli

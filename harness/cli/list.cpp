@@ -1,0 +1,124 @@
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <memory>
+#include <nlohmann/json.hpp>
+
+#include "harness/cli/verbs.h"
+#include "harness/suites.h"
+#include "solvers/registry.h"
+
+namespace lcp::cli {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json to_json(const OptionTable& table) {
+  Json json = Json::array();
+  for (const Option& option : table)
+    json.push_back({{"name", option.name},
+                    {"default", option.get()},
+                    {"accepts", option.accepts},
+                    {"doc", option.doc},
+                    {"accuracy_ladder", option.accuracy_ladder}});
+  return json;
+}
+
+void print(const OptionTable& table) {
+  for (const Option& option : table) {
+    fmt::print("    {:<24} {}; {}\n", option.name + "=" + option.get(), option.doc, option.accepts);
+    if (!option.accuracy_ladder.empty())
+      fmt::print("    {:<24} speed against accuracy: {}\n", "",
+                 fmt::join(option.accuracy_ladder, ", "));
+  }
+}
+
+void list_solvers(bool json) {
+  Json all = Json::array();
+  for (const Row& row : registry()) {
+    const std::unique_ptr<Solver> solver = row.make();
+    const bool pivoting = row.info.kind == RowInfo::Kind::pivoting;
+    if (json) {
+      all.push_back({{"name", row.info.name},
+                     {"summary", row.info.summary},
+                     {"source", row.info.source},
+                     {"kind", pivoting ? "pivoting" : "iterative"},
+                     {"version", row.info.version},
+                     {"options", to_json(solver->options())}});
+      continue;
+    }
+    fmt::print("{}\n    {}\n    Source: {}\n", row.info.name, row.info.summary, row.info.source);
+    print(solver->options());
+    fmt::print("\n");
+  }
+  if (json) fmt::print("{}\n", Json{{"solvers", all}}.dump(1));
+}
+
+void list_families(bool json) {
+  Json all = Json::array();
+  for (const FamilyRow& row : families()) {
+    const std::unique_ptr<Family> family = row.make();
+    if (json) {
+      all.push_back({{"name", row.info.name},
+                     {"summary", row.info.summary},
+                     {"source", row.info.source},
+                     {"default_count", row.info.default_count},
+                     {"options", to_json(family->options())}});
+      continue;
+    }
+    fmt::print("{}\n    {}\n    Source: {}\n    {} instances unless --count says otherwise\n",
+               row.info.name, row.info.summary, row.info.source, row.info.default_count);
+    print(family->options());
+    fmt::print("\n");
+  }
+  if (json) fmt::print("{}\n", Json{{"families", all}}.dump(1));
+}
+
+void list_suites(bool json) {
+  Json all = Json::array();
+  for (const Suite& suite : suites()) {
+    if (json) {
+      all.push_back({{"name", suite.name},
+                     {"summary", suite.summary},
+                     {"instances", size(suite)},
+                     {"solvers", suite.solvers}});
+      continue;
+    }
+    fmt::print("{}\n    {}\n    {} instances, {} solvers, {} pairs\n", suite.name, suite.summary,
+               size(suite), suite.solvers.size(),
+               size(suite) * static_cast<Index>(suite.solvers.size()));
+    for (const SuitePart& part : suite.parts)
+      fmt::print("    {}{}\n", part.family,
+                 part.every > 1 ? fmt::format(", one in {}", part.every) : std::string());
+    fmt::print("\n");
+  }
+  if (json) fmt::print("{}\n", Json{{"suites", all}}.dump(1));
+}
+
+struct ListArguments {
+  std::string what;
+  bool json = false;
+};
+
+int list(const ListArguments& arguments) {
+  if (arguments.what == "solvers") list_solvers(arguments.json);
+  if (arguments.what == "families") list_families(arguments.json);
+  if (arguments.what == "suites") list_suites(arguments.json);
+  return done;
+}
+
+}  // namespace
+
+Verb add_list(CLI::App& program) {
+  CLI::App* page = program.add_subcommand("list", "Print what there is, with options and sources");
+  auto arguments = std::make_shared<ListArguments>();
+  page->add_option("WHAT", arguments->what, "solvers, families or suites")
+      ->required()
+      ->check(CLI::IsMember({"solvers", "families", "suites"}));
+  page->add_flag("--json", arguments->json, "As JSON");
+  page->footer("Example:\n  lcpbench list solvers");
+  return {page, [arguments] { return list(*arguments); }};
+}
+
+}  // namespace lcp::cli

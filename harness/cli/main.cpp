@@ -1,0 +1,104 @@
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <cerrno>
+#include <cstdio>
+#include <exception>
+#include <stdexcept>
+#include <string>
+#include <system_error>
+#include <vector>
+
+#include "harness/cli/verbs.h"
+#include "harness/reproducible.h"
+#include "problems/io/errors.h"
+
+namespace lcp::cli {
+namespace {
+
+int complain(const std::string& who, const std::string& what, int status) {
+  fmt::print(stderr, "{}: {}\n", who, what);
+  return status;
+}
+
+/// "--jobs, --out, ...", without --help.
+std::string allowed_options(const CLI::App& page) {
+  std::vector<std::string> names;
+  for (const CLI::Option* option : page.get_options())
+    if (option != page.get_help_ptr()) names.push_back(option->get_name());
+  return fmt::format("{}", fmt::join(names, ", "));
+}
+
+/// Results that did not reach a full disk or a closed pipe are an error, not a success.
+int flushed(int status, const std::string& who) {
+  if (std::fflush(stdout) == 0 && std::ferror(stdout) == 0) return status;
+  return complain(
+      who, fmt::format("standard output: cannot write: {}", std::generic_category().message(errno)),
+      unwritable_output);
+}
+
+int act(const Verb& verb, const std::string& who) {
+  try {
+    return flushed(verb.act(), who);
+  } catch (const std::invalid_argument& error) {
+    return complain(who, error.what(), usage);
+  } catch (const UnreadableInput& error) {
+    return complain(who, error.what(), unreadable_input);
+  } catch (const UnwritableOutput& error) {
+    return complain(who, error.what(), unwritable_output);
+  } catch (const std::exception& error) {
+    return complain(who, error.what(), system_failure);
+  }
+}
+
+int run_program(int argc, char** argv) {
+  CLI::App program{
+      "A benchmark of pivoting solvers for linear complementarity problems, on "
+      "frictional contact.",
+      "lcpbench"};
+  program.set_version_flag("--version", LCPBENCH_VERSION);
+  program.require_subcommand(1);
+  program.footer("Examples:\n  lcpbench run --suite small\n  lcpbench run --help");
+  const std::vector<Verb> verbs = {
+      add_list(program), add_generate(program), add_solve(program),
+      add_run(program),  add_table(program),    add_sweep(program),
+      add_info(program), add_convert(program),  add_test_solver(program),
+  };
+
+  std::vector<std::string> names;
+  const Verb* verb = nullptr;
+  const std::string first = argc > 1 ? argv[1] : "";
+  for (const Verb& each : verbs) {
+    names.push_back(each.page->get_name());
+    if (first == names.back()) verb = &each;
+  }
+  const bool is_option = !first.empty() && first.front() == '-';
+  if (!verb && !is_option)
+    return complain(
+        "lcpbench",
+        fmt::format("{}, verbs are: {}",
+                    first.empty() ? "a verb is missing" : fmt::format("unknown verb '{}'", first),
+                    fmt::join(names, ", ")),
+        usage);
+
+  const std::string who = verb ? "lcpbench " + verb->page->get_name() : "lcpbench";
+  try {
+    program.parse(argc, argv);
+  } catch (const CLI::ExtrasError& error) {
+    const CLI::App& page = verb ? *verb->page : program;
+    return complain(who, fmt::format("{}; allowed are: {}", error.what(), allowed_options(page)),
+                    usage);
+  } catch (const CLI::ParseError& error) {
+    if (error.get_exit_code() == 0) return flushed(program.exit(error), who);  // --help, --version
+    return complain(who, error.what(), usage);
+  }
+  return act(*verb, who);
+}
+
+}  // namespace
+}  // namespace lcp::cli
+
+int main(int argc, char** argv) {
+  lcp::fix_product_blocking();
+  return lcp::cli::run_program(argc, argv);
+}

@@ -1,0 +1,38 @@
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <string>
+#include <vector>
+
+#include "harness/runner.h"
+
+namespace lcp::cli {
+
+/// What `run` and `sweep` have in common: on which instances, how far, and where the rows go.
+struct Measurement {
+  std::string suite;
+  std::vector<std::string> corpora;
+  std::string start = "cold";
+  double tolerance = 1e-6;
+  std::string timeout = "10s";
+  std::string memory = "2GiB";
+  int jobs = 1;
+  Index max_contacts = 60;
+  Index limit = 0;
+  Index every = 1;
+  bool dry_run = false;
+  std::string out;
+};
+
+/// Adds the options of `measurement` to a verb's page.
+void add_options(CLI::App& page, Measurement& measurement);
+
+/// Name of the suite to run: the default one where neither suite nor corpus is given, else empty.
+std::string suite_name(const Measurement& measurement);
+
+/// Measures `solvers` on the instances asked for, writes the run directory (`out`, or `default_out`)
+/// and prints the table; or, with dry_run, prints the pairs. Returns an ExitStatus.
+int measure(const Measurement& measurement, std::vector<NamedSolver> solvers,
+            const std::string& default_out);
+
+}  // namespace lcp::cli

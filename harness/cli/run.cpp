@@ -1,0 +1,51 @@
+#include <filesystem>
+#include <memory>
+
+#include "harness/cli/measurement.h"
+#include "harness/cli/verbs.h"
+#include "harness/suites.h"
+
+namespace lcp::cli {
+
+namespace {
+
+struct RunArguments {
+  Measurement measurement;
+  std::vector<std::string> solvers;
+};
+
+int run_suite_or_corpora(const RunArguments& arguments) {
+  const std::string suite = suite_name(arguments.measurement);
+  std::vector<std::string> solvers = arguments.solvers;
+  if (solvers.empty()) {
+    if (suite.empty()) {
+      solvers = {"all"};
+    } else {
+      solvers = find_suite(suite).solvers;
+    }
+  }
+  const std::string name =
+      suite.empty() ? std::filesystem::path(arguments.measurement.corpora.front()).stem().string()
+                    : suite;
+  return measure(arguments.measurement, make_solvers(solvers), "runs/" + name);
+}
+
+}  // namespace
+
+Verb add_run(CLI::App& program) {
+  CLI::App* page = program.add_subcommand(
+      "run", "Measure solvers on a suite or corpora; write rows, table and chart");
+  auto arguments = std::make_shared<RunArguments>();
+  page->add_option("--solver", arguments->solvers,
+                   "NAME[:key=value,...], pattern or all; repeatable. Default: the suite's, or all")
+      ->allow_extra_args(false);
+  add_options(*page, arguments->measurement);
+  page->footer(
+      "Writes DIR/{rows.jsonl, env.json, table.txt, table.csv, table.json, chart.svg}; DIR is "
+      "runs/SUITE unless --out names it.\n"
+      "Example:\n"
+      "  lcpbench run --suite small --solver 'best-first*' --solver lexicographic:delta=1e-10");
+  return {page, [arguments] { return run_suite_or_corpora(*arguments); }};
+}
+
+}  // namespace lcp::cli

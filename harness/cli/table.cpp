@@ -1,0 +1,53 @@
+#include "harness/table.h"
+
+#include <fmt/format.h>
+
+#include <map>
+#include <memory>
+
+#include "harness/cli/verbs.h"
+#include "harness/run_directory.h"
+
+namespace lcp::cli {
+
+namespace {
+
+struct TableArguments {
+  std::string directory;
+  std::optional<double> tolerance;
+  std::string format = "text";
+};
+
+const std::map<std::string, TableFormat>& formats() {
+  static const std::map<std::string, TableFormat> all = {{"text", TableFormat::text},
+                                                         {"csv", TableFormat::csv},
+                                                         {"json", TableFormat::json},
+                                                         {"latex", TableFormat::latex}};
+  return all;
+}
+
+int print_table(const TableArguments& arguments) {
+  const std::vector<Record> records = read_run(arguments.directory);
+  fmt::print("{}",
+             render(make_table(records, arguments.tolerance), formats().at(arguments.format)));
+  return done;
+}
+
+}  // namespace
+
+Verb add_table(CLI::App& program) {
+  CLI::App* page =
+      program.add_subcommand("table", "Count the rows of a run: success, failures, work, time");
+  auto arguments = std::make_shared<TableArguments>();
+  page->add_option("DIR", arguments->directory, "Directory of a run")->required();
+  page->add_option("--tolerance", arguments->tolerance,
+                   "Judge anew, from the stored residuals, at this tolerance")
+      ->check(CLI::PositiveNumber);
+  page->add_option("--format", arguments->format, "How it is printed")
+      ->check(CLI::IsMember(&formats()))
+      ->capture_default_str();
+  page->footer("Example:\n  lcpbench table runs/small --tolerance 1e-9 --format latex");
+  return {page, [arguments] { return print_table(*arguments); }};
+}
+
+}  // namespace lcp::cli

@@ -1,0 +1,107 @@
+#include "harness/suites.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <iterator>
+#include <map>
+#include <stdexcept>
+
+namespace lcp {
+
+namespace {
+
+const std::vector<std::string>& own_solvers() {
+  static const std::vector<std::string> all = {
+      "lemke",
+      "lexicographic:delta=0",
+      "lexicographic:delta=1e-8",
+      "lexicographic:delta=1e-6",
+      "lexicographic:delta=1e-4",
+      "lexicographic-pivot:delta=0",
+      "lexicographic-pivot:delta=1e-8",
+      "lexicographic-pivot:delta=1e-6",
+      "lexicographic-pivot:delta=1e-4",
+      "lemke-revised",
+      "lexicographic-revised",
+      "best-first",
+      "best-first-lexicographic",
+      "best-first-tableau",
+      "best-first-uniform:max_nodes=2000",  // it expands whole levels: more takes minutes
+      "projected-gauss-seidel",
+  };
+  return all;
+}
+
+constexpr std::uint64_t suite_seed = 1;
+
+Index drawn(const SuitePart& part) {
+  if (part.count > 0) return part.count;
+  const std::string name = parse_spelling(part.family).name;
+  for (const FamilyRow& row : families())
+    if (row.info.name == name) return row.info.default_count;
+  throw std::invalid_argument(fmt::format("no family '{}', which a suite needs", name));
+}
+
+}  // namespace
+
+const std::vector<Suite>& suites() {
+  static const std::vector<Suite> all = {
+      {"contact",
+       "both contact families in full",
+       {{.family = "squat-like"}, {.family = "draped-chain"}},
+       own_solvers()},
+      {"default",
+       "published instances and thinned contact families; minutes on two cores",
+       {{.family = "published"},
+        {.family = "squat-like", .every = 10},
+        {.family = "draped-chain", .every = 5}},
+       own_solvers()},
+      {"small", "published instances", {{.family = "published"}}, own_solvers()},
+  };
+  return all;
+}
+
+const Suite& find_suite(const std::string& name) {
+  std::vector<std::string> names;
+  for (const Suite& suite : suites()) {
+    names.push_back(suite.name);
+    if (suite.name == name) return suite;
+  }
+  throw std::invalid_argument(
+      fmt::format("unknown suite '{}', known are: {}", name, fmt::join(names, ", ")));
+}
+
+Index size(const Suite& suite) {
+  Index total = 0;
+  for (const SuitePart& part : suite.parts) total += (drawn(part) + part.every - 1) / part.every;
+  return total;
+}
+
+std::vector<Instance> generate(const Suite& suite) {
+  std::vector<Instance> all;
+  for (const SuitePart& part : suite.parts) {
+    std::vector<Instance> kept =
+        thinned(generate(part.family, {drawn(part), suite_seed}), part.every, 0);
+    std::move(kept.begin(), kept.end(), std::back_inserter(all));
+  }
+  return all;
+}
+
+std::string corpus_of(const std::string& instance) {
+  return instance.substr(0, instance.find('/'));
+}
+
+std::vector<Instance> thinned(std::vector<Instance> instances, Index every, Index limit) {
+  std::map<std::string, Index> seen;
+  std::vector<Instance> kept;
+  for (Instance& instance : instances) {
+    const Index place = seen[corpus_of(instance.name)]++;
+    if (place % every == 0 && (limit == 0 || place / every < limit))
+      kept.push_back(std::move(instance));
+  }
+  return kept;
+}
+
+}  // namespace lcp

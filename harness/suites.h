@@ -1,0 +1,43 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "problems/registry.h"
+
+namespace lcp {
+
+/// Instances of one generated family.
+struct SuitePart {
+  std::string family;  ///< `name:key=value,...`
+  Index count = 0;     ///< Instances drawn; 0 means the family's default.
+  Index every = 1;     ///< Of these, the first and every `every`-th after it are kept.
+};
+
+/// A named choice of instances and of the solvers that meet on them.
+struct Suite {
+  std::string name;
+  std::string summary;
+  std::vector<SuitePart> parts;
+  std::vector<std::string> solvers;  ///< Spellings, as make_solvers takes them.
+};
+
+const std::vector<Suite>& suites();
+
+/// Throws std::invalid_argument with the list of suites.
+const Suite& find_suite(const std::string& name);
+
+/// Number of instances of a suite, without generating them.
+Index size(const Suite& suite);
+
+/// Generates the instances of a suite, all from seed 1, so that every run sees the same.
+std::vector<Instance> generate(const Suite& suite);
+
+/// The first and every `every`-th after it of each corpus of `instances`, at most `limit` (0: all)
+/// of each, in their order.
+std::vector<Instance> thinned(std::vector<Instance> instances, Index every, Index limit);
+
+/// The corpus an instance belongs to: what comes before the first '/' of its name.
+std::string corpus_of(const std::string& instance);
+
+}  // namespace lcp

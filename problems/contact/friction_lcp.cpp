@@ -1,0 +1,139 @@
+#include "problems/contact/friction_lcp.h"
+
+#include <fmt/format.h>
+
+#include <stdexcept>
+
+namespace lcp {
+
+namespace {
+
+/// A column of N or C (20): the direction in which an unknown of kind a or b pushes its contact.
+struct Push {
+  Index contact;
+  Eigen::Vector3d axis;  ///< (1, 0, 0) for a, (0, c_im) for b.
+};
+
+/// Blocks with directions and the row layout [a | b | lambda].
+FrictionBlocks lay_out(const ContactProblem& problem, const FrictionModel& model) {
+  const Index contacts = problem.size(), m = model.directions;
+  FrictionBlocks blocks;
+  blocks.W = problem.W;
+  blocks.vbar = problem.vbar;
+  blocks.mu.resize(contacts);
+  blocks.directions = friction_directions(problem, model);
+  blocks.directions_per_contact = m;
+  Index rubbing = 0;
+  for (Index i = 0; i < contacts; ++i) {
+    blocks.mu(i) = problem.contacts[i].mu;
+    blocks.normal_row.push_back(i);
+    blocks.friction_row.push_back(blocks.mu(i) > 0 ? contacts + m * rubbing++ : -1);
+  }
+  Index cone_row = contacts + m * rubbing;
+  for (Index i = 0; i < contacts; ++i)
+    blocks.cone_row.push_back(blocks.mu(i) > 0 ? cone_row++ : -1);
+  return blocks;
+}
+
+/// The columns of [N | C] in the order of a and b.
+std::vector<Push> pushes(const FrictionBlocks& blocks) {
+  const Index m = blocks.directions_per_contact;
+  std::vector<Push> columns;
+  for (Index i = 0; i < blocks.contacts(); ++i) columns.push_back({i, Eigen::Vector3d::UnitX()});
+  for (Index i = 0; i < blocks.contacts(); ++i) {
+    if (blocks.friction_row[i] < 0) continue;
+    for (Index k = 0; k < m; ++k) {
+      const auto c = blocks.directions.col(i * m + k);
+      columns.push_back({i, {0, c.x(), c.y()}});
+    }
+  }
+  return columns;
+}
+
+void set_contact_scales(Problem& problem) {
+  const FrictionBlocks& blocks = *problem.friction;
+  double largest = 0, diagonal = 0;
+  for (Index i = 0; i < blocks.vbar.size(); ++i)
+    largest = std::max(largest, std::abs(blocks.vbar(i)));
+  for (Index i = 0; i < blocks.contacts(); ++i) diagonal += blocks.W(3 * i, 3 * i);
+  const double v_scale = largest > 0 ? largest : 1;
+  const double f_scale =
+      diagonal > 0 ? v_scale * static_cast<double>(blocks.contacts()) / diagonal : v_scale;
+  problem.s_z = VectorXd::Constant(problem.size(), f_scale);
+  problem.s_w = VectorXd::Constant(problem.size(), v_scale);
+  for (const Index row : blocks.cone_row)
+    if (row >= 0) std::swap(problem.s_z(row), problem.s_w(row));
+}
+
+Problem assemble(FrictionBlocks blocks) {
+  const Index m = blocks.directions_per_contact;
+  const std::vector<Push> columns = pushes(blocks);
+  const Index velocity_rows = static_cast<Index>(columns.size());
+  Index n = velocity_rows;
+  for (const Index row : blocks.cone_row) n += row >= 0;
+
+  Problem problem;
+  problem.M = MatrixXd::Zero(n, n);
+  problem.q = VectorXd::Zero(n);
+  // [N | C]' W [N | C], mirrored so that the part that is symmetric is so to the last bit.
+  for (Index j = 0; j < velocity_rows; ++j) {
+    const Eigen::Vector3d& axis = columns[j].axis;
+    const auto block = blocks.W.middleCols<3>(3 * columns[j].contact);
+    for (Index i = 0; i <= j; ++i) {
+      const Eigen::Vector3d velocity = block.middleRows<3>(3 * columns[i].contact) * axis;
+      problem.M(i, j) = problem.M(j, i) = columns[i].axis.dot(velocity);
+    }
+    problem.q(j) = axis.dot(blocks.vbar.segment<3>(3 * columns[j].contact));
+  }
+  for (Index i = 0; i < blocks.contacts(); ++i) {
+    const Index cone = blocks.cone_row[i];
+    if (cone < 0) continue;
+    problem.M(cone, blocks.normal_row[i]) = blocks.mu(i);
+    problem.M.row(cone).segment(blocks.friction_row[i], m).setConstant(-1);
+    problem.M.col(cone).segment(blocks.friction_row[i], m).setConstant(1);
+  }
+  problem.friction = std::move(blocks);
+  set_contact_scales(problem);
+  return problem;
+}
+
+}  // namespace
+
+Problem friction_lcp(const ContactProblem& problem, const FrictionModel& model) {
+  check(problem, "contact problem");
+  return assemble(lay_out(problem, model));
+}
+
+Problem frictionless_lcp(const ContactProblem& problem) {
+  ContactProblem smooth = problem;
+  for (Contact& contact : smooth.contacts) contact.mu = 0;
+  return friction_lcp(smooth);
+}
+
+VectorXd contact_forces(const FrictionBlocks& blocks, const VectorXd& z) {
+  const Index m = blocks.directions_per_contact;
+  const auto require_row = [&](Index row) {
+    if (row >= z.size())
+      throw std::invalid_argument(
+          fmt::format("contact forces: z has {} entries, expected more than {}", z.size(), row));
+  };
+  VectorXd forces = VectorXd::Zero(3 * blocks.contacts());
+  for (Index i = 0; i < blocks.contacts(); ++i) {
+    require_row(blocks.normal_row[i]);
+    forces(3 * i) = z(blocks.normal_row[i]);
+    if (blocks.friction_row[i] < 0) continue;
+    require_row(blocks.friction_row[i] + m - 1);
+    forces.segment<2>(3 * i + 1) =
+        blocks.directions.middleCols(i * m, m) * z.segment(blocks.friction_row[i], m);
+  }
+  return forces;
+}
+
+VectorXd post_velocities(const FrictionBlocks& blocks, const VectorXd& forces) {
+  if (forces.size() != blocks.vbar.size())
+    throw std::invalid_argument(fmt::format("post velocities: f has {} entries, expected {}",
+                                            forces.size(), blocks.vbar.size()));
+  return blocks.W * forces + blocks.vbar;
+}
+
+}  // namespace lcp

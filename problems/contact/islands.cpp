@@ -1,0 +1,112 @@
+#include "problems/contact/islands.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <numeric>
+#include <stdexcept>
+
+namespace lcp {
+
+namespace {
+
+/// Contacts of each connected component of W's non-zero blocks, ascending.
+std::vector<std::vector<Index>> components(const MatrixXd& W) {
+  const Index contacts = W.rows() / 3;
+  const auto touch = [&W](Index i, Index j) {
+    return !W.block<3, 3>(3 * i, 3 * j).isZero(0) || !W.block<3, 3>(3 * j, 3 * i).isZero(0);
+  };
+  std::vector<std::vector<Index>> found;
+  std::vector<bool> taken(contacts, false);
+  for (Index seed = 0; seed < contacts; ++seed) {
+    if (taken[seed]) continue;
+    taken[seed] = true;
+    std::vector<Index> members{seed};
+    for (std::size_t next = 0; next < members.size(); ++next) {
+      for (Index j = 0; j < contacts; ++j) {
+        if (taken[j] || !touch(members[next], j)) continue;
+        taken[j] = true;
+        members.push_back(j);
+      }
+    }
+    std::sort(members.begin(), members.end());
+    found.push_back(std::move(members));
+  }
+  return found;
+}
+
+/// Rows of the LCP that belong to `members`, ascending.
+std::vector<Index> rows_of(const FrictionBlocks& blocks, const std::vector<Index>& members) {
+  std::vector<Index> rows;
+  for (const Index i : members) {
+    rows.push_back(blocks.normal_row[i]);
+    if (blocks.friction_row[i] < 0) continue;
+    for (Index k = 0; k < blocks.directions_per_contact; ++k)
+      rows.push_back(blocks.friction_row[i] + k);
+    rows.push_back(blocks.cone_row[i]);
+  }
+  std::sort(rows.begin(), rows.end());
+  return rows;
+}
+
+FrictionBlocks take_blocks(const FrictionBlocks& blocks, const std::vector<Index>& members,
+                           const std::vector<Index>& rows) {
+  const Index m = blocks.directions_per_contact;
+  const auto local = [&rows](Index row) -> Index {
+    return row < 0 ? -1 : std::lower_bound(rows.begin(), rows.end(), row) - rows.begin();
+  };
+  std::vector<Index> axes, directions;
+  FrictionBlocks part;
+  for (const Index i : members) {
+    for (Index k = 0; k < 3; ++k) axes.push_back(3 * i + k);
+    for (Index k = 0; k < m; ++k) directions.push_back(m * i + k);
+    part.normal_row.push_back(local(blocks.normal_row[i]));
+    part.friction_row.push_back(local(blocks.friction_row[i]));
+    part.cone_row.push_back(local(blocks.cone_row[i]));
+  }
+  part.W = blocks.W(axes, axes);
+  part.vbar = blocks.vbar(axes);
+  part.mu = blocks.mu(members);
+  part.directions = blocks.directions(Eigen::all, directions);
+  part.directions_per_contact = m;
+  return part;
+}
+
+void require_every_row_once(const std::vector<Island>& islands, Index n) {
+  std::vector<Index> times(n, 0);
+  for (const Island& island : islands)
+    for (const Index row : island.rows) ++times.at(row);
+  for (Index row = 0; row < n; ++row)
+    if (times[row] != 1)
+      throw std::invalid_argument(fmt::format(
+          "islands: row {} belongs to {} contacts, expected exactly 1", row, times[row]));
+}
+
+}  // namespace
+
+std::vector<Island> split_islands(const Problem& problem) {
+  std::vector<Index> all(problem.size());
+  std::iota(all.begin(), all.end(), Index{0});
+  if (!problem.friction) return {{problem, all}};
+  const std::vector<std::vector<Index>> groups = components(problem.friction->W);
+  if (groups.size() <= 1) return {{problem, all}};
+
+  std::vector<Island> islands;
+  for (const std::vector<Index>& members : groups) {
+    Island island;
+    island.rows = rows_of(*problem.friction, members);
+    const std::vector<Index>& rows = island.rows;
+    island.problem.M = problem.M(rows, rows);
+    island.problem.q = problem.q(rows);
+    island.problem.s_z = problem.s_z(rows);
+    island.problem.s_w = problem.s_w(rows);
+    if (problem.c.size() > 0) island.problem.c = problem.c(rows);
+    island.problem.pivot_limit = problem.pivot_limit;
+    island.problem.friction = take_blocks(*problem.friction, members, rows);
+    islands.push_back(std::move(island));
+  }
+  require_every_row_once(islands, problem.size());
+  return islands;
+}
+
+}  // namespace lcp

@@ -1,0 +1,24 @@
+#pragma once
+
+#include <vector>
+
+#include "solvers/problem.h"
+
+namespace lcp {
+
+/// A part of an LCP that can be solved on its own.
+struct Island {
+  Problem problem;          ///< With the scales, covering vector and pivot limit of the whole.
+  std::vector<Index> rows;  ///< Row k of `problem` is row rows[k] of the whole; ascending.
+};
+
+/// Splits an LCP with friction blocks into sets of contacts that do not influence one another: the
+/// connected components of the graph whose edges are W's 3 x 3 blocks with a non-zero entry.
+/// Islands are ordered by their first contact, and each row belongs to exactly one. The solutions,
+/// joined through `rows`, solve the whole.
+///
+/// A problem without friction blocks, or whose contacts are all connected, is one island with all
+/// rows. Throws std::invalid_argument when the islands do not share out every row exactly once.
+std::vector<Island> split_islands(const Problem& problem);
+
+}  // namespace lcp

@@ -1,0 +1,45 @@
+#include "problems/features.h"
+
+#include <Eigen/SVD>
+
+namespace lcp {
+
+namespace {
+
+Index rows_sharing_least_q(const Problem& problem, double threshold) {
+  if (problem.size() == 0) return 0;
+  const VectorXd scaled = problem.q.cwiseQuotient(problem.s_w);
+  return (scaled.array() <= scaled.minCoeff() + threshold).count();
+}
+
+void fill_rank_and_condition(const MatrixXd& matrix, const FeatureOptions& options,
+                             Features& found) {
+  if (matrix.rows() > options.largest_svd) return;
+  found.rank = 0;
+  if (matrix.size() == 0) return;
+  const VectorXd singular_values = Eigen::BDCSVD<MatrixXd>(matrix).singularValues();
+  const double largest = singular_values(0);
+  if (largest == 0) return;
+  const Index rank = (singular_values.array() > options.rank_threshold * largest).count();
+  found.rank = rank;
+  found.condition = largest / singular_values(rank - 1);
+}
+
+}  // namespace
+
+Features features(const Problem& problem, const FeatureOptions& options) {
+  Features found;
+  found.n = problem.size();
+  found.contacts = problem.friction ? problem.friction->contacts() : 0;
+  found.tied_q = rows_sharing_least_q(problem, options.tie_threshold);
+  const MatrixXd& M = problem.M;
+  const double largest = M.size() > 0 ? M.cwiseAbs().maxCoeff() : 0;
+  if (largest > 0) {
+    found.asymmetry = (M - M.transpose()).cwiseAbs().maxCoeff() / largest;
+    found.density = static_cast<double>((M.array() != 0).count()) / static_cast<double>(M.size());
+  }
+  fill_rank_and_condition(problem.friction ? problem.friction->W : M, options, found);
+  return found;
+}
+
+}  // namespace lcp

@@ -1,0 +1,98 @@
+#include "problems/instance.h"
+
+#include <fmt/format.h>
+#include <openssl/evp.h>
+
+#include <bit>
+#include <memory>
+#include <stdexcept>
+
+namespace lcp {
+
+namespace {
+
+static_assert(std::endian::native == std::endian::little, "content_hash feeds doubles as they lie");
+
+/// SHA-256 over numbers, each as eight bytes of an IEEE double.
+class NumberHash {
+ public:
+  NumberHash() : context_(EVP_MD_CTX_new(), &EVP_MD_CTX_free) {
+    require(context_ && EVP_DigestInit_ex(context_.get(), EVP_sha256(), nullptr) == 1);
+  }
+
+  void add(double value) {
+    const double unsigned_zero = value + 0.0;  // -0 + 0 is +0; every other number stays as it is.
+    require(EVP_DigestUpdate(context_.get(), &unsigned_zero, sizeof unsigned_zero) == 1);
+  }
+
+  /// Counts and row numbers, which a double holds exactly.
+  void add(Index value) { add(static_cast<double>(value)); }
+
+  /// Shape, then column by column.
+  void add(const MatrixXd& numbers) {
+    add(numbers.rows());
+    add(numbers.cols());
+    for (Index j = 0; j < numbers.cols(); ++j)
+      for (Index i = 0; i < numbers.rows(); ++i) add(numbers(i, j));
+  }
+
+  void add(const std::vector<Index>& numbers) {
+    add(static_cast<Index>(numbers.size()));
+    for (const Index number : numbers) add(number);
+  }
+
+  std::string hexadecimal() {
+    unsigned char digest[EVP_MAX_MD_SIZE];
+    unsigned length = 0;
+    require(EVP_DigestFinal_ex(context_.get(), digest, &length) == 1);
+    std::string text;
+    for (unsigned i = 0; i < length; ++i) text += fmt::format("{:02x}", digest[i]);
+    return text;
+  }
+
+ private:
+  static void require(bool done) {
+    if (!done) throw std::runtime_error("OpenSSL refuses to compute a SHA-256");
+  }
+
+  std::unique_ptr<EVP_MD_CTX, decltype(&EVP_MD_CTX_free)> context_;
+};
+
+}  // namespace
+
+std::string content_hash(const Problem& problem) {
+  NumberHash hash;
+  hash.add(problem.size());
+  hash.add(problem.M);
+  hash.add(problem.q);
+  hash.add(problem.s_z);
+  hash.add(problem.s_w);
+  hash.add(problem.c);
+  hash.add(problem.pivot_limit);
+  hash.add(Index{problem.friction.has_value()});
+  if (problem.friction) {
+    const FrictionBlocks& blocks = *problem.friction;
+    hash.add(blocks.W);
+    hash.add(blocks.vbar);
+    hash.add(blocks.mu);
+    hash.add(blocks.directions);
+    hash.add(blocks.directions_per_contact);
+    hash.add(blocks.normal_row);
+    hash.add(blocks.friction_row);
+    hash.add(blocks.cone_row);
+  }
+  return hash.hexadecimal();
+}
+
+Instance make_instance(std::string name, Problem problem,
+                       std::map<std::string, std::string> provenance) {
+  check(problem, name);
+  Instance instance;
+  instance.name = std::move(name);
+  instance.problem = std::move(problem);
+  instance.provenance = std::move(provenance);
+  instance.sha256 = content_hash(instance.problem);
+  return instance;
+}
+
+}  // namespace lcp

@@ -1,0 +1,240 @@
+#include "problems/io/hdf5_corpus.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <stdexcept>
+
+#include "problems/features.h"
+#include "problems/io/errors.h"
+#include "problems/io/fclib_local.h"
+#include "problems/io/hdf5_values.h"
+#include "problems/io/limits.h"
+#include "problems/io/replace_file.h"
+
+namespace lcp {
+
+namespace {
+
+using hdf5::GroupReader;
+
+constexpr Index corpus_version = 1;
+
+// --- writing ---
+
+void require_storable_name(const std::string& file, const std::string& name) {
+  std::size_t begin = 0;
+  bool storable = name.find('#') == std::string::npos;
+  while (storable && begin <= name.size()) {
+    const std::size_t end = std::min(name.find('/', begin), name.size());
+    const std::string part = name.substr(begin, end - begin);
+    storable = !part.empty() && part != "." && part != "..";
+    begin = end + 1;
+  }
+  if (!storable)
+    throw UnwritableOutput(fmt::format(
+        "{}: cannot hold an instance called '{}', expected a name like family/0042", file, name));
+}
+
+void require_separate_names(const std::string& file, const std::vector<Instance>& instances) {
+  // With the trailing '/', a name sorts right before the names inside it.
+  std::vector<std::string> names;
+  for (const Instance& instance : instances) {
+    require_storable_name(file, instance.name);
+    names.push_back(instance.name + "/");
+  }
+  std::sort(names.begin(), names.end());
+  for (std::size_t i = 1; i < names.size(); ++i)
+    if (names[i].starts_with(names[i - 1]))
+      throw UnwritableOutput(
+          fmt::format("{}: cannot hold '{}' inside '{}', expected instances of "
+                      "different names side by side",
+                      file, names[i], names[i - 1]));
+}
+
+void write_features(H5::Group& group, const Problem& problem) {
+  const Features found = features(problem);
+  hdf5::write_attribute(group, "n", found.n);
+  hdf5::write_attribute(group, "contacts", found.contacts);
+  hdf5::write_attribute(group, "asymmetry", found.asymmetry);
+  hdf5::write_attribute(group, "density", found.density);
+  hdf5::write_attribute(group, "tied_q", found.tied_q);
+  if (found.rank) hdf5::write_attribute(group, "rank", *found.rank);
+  if (found.condition) hdf5::write_attribute(group, "condition", *found.condition);
+}
+
+void write_friction(H5::Group& group, const FrictionBlocks& blocks) {
+  write_fclib_local(group, {blocks.W, blocks.vbar, blocks.mu});
+  H5::Group layout = group.createGroup("layout");
+  hdf5::write(layout, "directions", blocks.directions);
+  hdf5::write(layout, "normal_row", blocks.normal_row);
+  hdf5::write(layout, "friction_row", blocks.friction_row);
+  hdf5::write(layout, "cone_row", blocks.cone_row);
+  hdf5::write_attribute(layout, "directions_per_contact", blocks.directions_per_contact);
+}
+
+void write_instance(H5::Group& group, const Instance& instance) {
+  const Problem& problem = instance.problem;
+  hdf5::write(group, "M", problem.M);
+  hdf5::write(group, "q", problem.q);
+  hdf5::write(group, "s_z", problem.s_z);
+  hdf5::write(group, "s_w", problem.s_w);
+  if (problem.c.size() > 0) hdf5::write(group, "c", problem.c);
+  if (instance.known_solution) hdf5::write(group, "known_solution", *instance.known_solution);
+  if (problem.friction) write_friction(group, *problem.friction);
+  hdf5::write_attribute(group, "sha256", content_hash(problem));
+  hdf5::write_attribute(group, "pivot_limit", problem.pivot_limit);
+  if (instance.active_contacts)
+    hdf5::write_attribute(group, "active_contacts", *instance.active_contacts);
+  write_features(group, problem);
+  H5::Group provenance = group.createGroup("provenance");
+  for (const auto& [key, text] : instance.provenance) hdf5::write_attribute(provenance, key, text);
+}
+
+void write_instances(H5::H5File& file, const std::vector<Instance>& instances) {
+  H5::Group root = file.openGroup("/");
+  hdf5::write_attribute(root, "corpus_version", corpus_version);
+  if (instances.size() == 1) {
+    hdf5::write_attribute(root, "name", instances.front().name);
+    write_instance(root, instances.front());
+    return;
+  }
+  H5::LinkCreatPropList with_parents;
+  with_parents.setCreateIntermediateGroup(true);
+  for (const Instance& instance : instances) {
+    H5::Group group = file.createGroup(instance.name, with_parents);
+    write_instance(group, instance);
+  }
+}
+
+/// The bytes of a corpus. HDF5 works in memory only: a full disk is then met by replace_file, which
+/// knows how to clean up, and not inside the library, which does not.
+std::string corpus_image(const std::string& path, const std::vector<Instance>& instances) {
+  constexpr std::size_t growth = 1 << 20;
+  H5::FileAccPropList in_memory;
+  in_memory.setCore(growth, false);
+  H5::H5File file(path, H5F_ACC_TRUNC, H5::FileCreatPropList::DEFAULT, in_memory);
+  write_instances(file, instances);
+  file.flush(H5F_SCOPE_GLOBAL);
+  const ssize_t size = H5Fget_file_image(file.getId(), nullptr, 0);
+  std::string image(size > 0 ? static_cast<std::size_t>(size) : 0, '\0');
+  if (H5Fget_file_image(file.getId(), image.data(), image.size()) < 0)
+    throw H5::FileIException("H5Fget_file_image", "no image of the file");
+  return image;
+}
+
+// --- reading ---
+
+FrictionBlocks read_friction(const GroupReader& group, Index n) {
+  FclibLocal local = read_fclib_local(group, n);  // Every contact has a row of its own.
+  const GroupReader layout = group.group("layout");
+  const Index count = local.mu.size();
+  FrictionBlocks blocks;
+  blocks.directions_per_contact = layout.integer_attribute("directions_per_contact");
+  if (blocks.directions_per_contact < 0 || blocks.directions_per_contact > largest_rows)
+    layout.fail("directions_per_contact", fmt::format("is {}, expected 0 ... {}",
+                                                      blocks.directions_per_contact, largest_rows));
+  blocks.directions = layout.matrix("directions", 2, count * blocks.directions_per_contact);
+  blocks.normal_row = layout.integers("normal_row", count);
+  blocks.friction_row = layout.integers("friction_row", count);
+  blocks.cone_row = layout.integers("cone_row", count);
+  blocks.W = std::move(local.W);
+  blocks.vbar = std::move(local.q);
+  blocks.mu = std::move(local.mu);
+  return blocks;
+}
+
+Problem read_problem(const GroupReader& group) {
+  Problem problem;
+  problem.q = group.vector("q");
+  const Index n = problem.q.size();
+  problem.M = group.matrix("M", n, n);
+  problem.s_z = group.vector("s_z", n);
+  problem.s_w = group.vector("s_w", n);
+  if (group.has("c")) problem.c = group.vector("c", n);
+  problem.pivot_limit = group.integer_attribute("pivot_limit");
+  if (group.has("fclib_local")) problem.friction = read_friction(group, n);
+  return problem;
+}
+
+VectorXd read_known_solution(const GroupReader& group, Index n) {
+  VectorXd z = group.vector("known_solution", n);
+  if (!z.allFinite()) group.fail("known_solution", "is not finite, expected finite numbers");
+  return z;
+}
+
+Index read_active_contacts(const GroupReader& group, Index contacts) {
+  const Index active = group.integer_attribute("active_contacts");
+  if (active < 0 || active > contacts)
+    group.fail("active_contacts", fmt::format("is {}, expected 0 ... {}", active, contacts));
+  return active;
+}
+
+Instance read_instance(const GroupReader& group, const std::string& name) {
+  Instance instance;
+  try {
+    instance =
+        make_instance(name, read_problem(group), group.group("provenance").text_attributes());
+  } catch (const std::invalid_argument& error) {
+    group.fail("", error.what());
+  }
+  const std::string stored = group.text_attribute("sha256");
+  if (stored != instance.sha256)
+    group.fail("sha256", fmt::format("is {}, but the content has {}", stored, instance.sha256));
+  const Problem& problem = instance.problem;
+  if (group.has("known_solution"))
+    instance.known_solution = read_known_solution(group, problem.size());
+  if (group.has_attribute("active_contacts"))
+    instance.active_contacts =
+        read_active_contacts(group, problem.friction ? problem.friction->contacts() : 0);
+  return instance;
+}
+
+void require_our_version(const GroupReader& root) {
+  if (!root.has_attribute("corpus_version"))
+    root.fail("corpus_version", "is missing, expected a corpus written by lcpbench");
+  const Index version = root.integer_attribute("corpus_version");
+  if (version != corpus_version)
+    root.fail("corpus_version", fmt::format("is {}, expected {}", version, corpus_version));
+}
+
+}  // namespace
+
+void write_corpus(const std::string& path, const std::vector<Instance>& instances) {
+  if (instances.empty())
+    throw std::invalid_argument(fmt::format("{}: no instance to write, expected at least 1", path));
+  require_separate_names(path, instances);
+  H5::Exception::dontPrint();
+  std::string image;
+  try {
+    image = corpus_image(path, instances);
+  } catch (const H5::Exception& error) {
+    throw UnwritableOutput(fmt::format("{}: the HDF5 library refuses the instances: {} ({})", path,
+                                       error.getDetailMsg(), error.getFuncName()));
+  }
+  replace_file(path, image);
+}
+
+std::vector<Instance> read_corpus(const std::string& path, const std::string& name) {
+  const GroupReader root(path);
+  require_our_version(root);
+  std::vector<Instance> instances;
+  const auto take = [&](const GroupReader& group, const std::string& found) {
+    if (name.empty() || name == found) instances.push_back(read_instance(group, found));
+  };
+  if (root.has_attribute("sha256")) {
+    take(root, root.text_attribute("name"));
+  } else {
+    for (const std::string& inner : root.groups_below()) {
+      const GroupReader group = root.group(inner);
+      if (group.has_attribute("sha256")) take(group, inner);
+    }
+  }
+  if (instances.empty())
+    throw UnreadableInput(name.empty()
+                              ? fmt::format("{}: holds no instance, expected at least 1", path)
+                              : fmt::format("{}: holds no instance called '{}'", path, name));
+  return instances;
+}
+
+}  // namespace lcp

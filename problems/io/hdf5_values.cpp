@@ -1,0 +1,260 @@
+#include "problems/io/hdf5_values.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "problems/io/errors.h"
+
+namespace lcp::hdf5 {
+
+namespace {
+
+using RowMajor = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
+
+/// Numbers below which compression costs more bytes than it saves.
+constexpr Index smallest_compressed = 512;
+/// zlib's own compromise between speed and size.
+constexpr int compression_level = 6;
+
+std::string extents_text(const std::vector<hsize_t>& extents) {
+  return extents.empty() ? "one value" : fmt::format("{}", fmt::join(extents, " x "));
+}
+
+std::vector<hsize_t> extents_of(const H5::DataSpace& space) {
+  std::vector<hsize_t> extents(static_cast<std::size_t>(space.getSimpleExtentNdims()));
+  if (!extents.empty()) space.getSimpleExtentDims(extents.data());
+  return extents;
+}
+
+const char* kind_name(H5T_class_t kind) {
+  switch (kind) {
+    case H5T_INTEGER:
+      return "integers";
+    case H5T_FLOAT:
+      return "floating-point numbers";
+    case H5T_STRING:
+      return "text";
+    default:
+      return "of another type";
+  }
+}
+
+/// Datasets carry no time of writing, so that the same instances give the same bytes.
+H5::DataSet create(H5::Group& group, const std::string& name, const H5::DataType& type,
+                   const std::vector<hsize_t>& extents) {
+  H5::DSetCreatPropList settings;
+  H5Pset_obj_track_times(settings.getId(), false);
+  hsize_t numbers = 1;
+  for (const hsize_t extent : extents) numbers *= extent;
+  if (numbers >= smallest_compressed) {
+    settings.setChunk(static_cast<int>(extents.size()), extents.data());
+    settings.setShuffle();
+    settings.setDeflate(compression_level);
+  }
+  const H5::DataSpace space(static_cast<int>(extents.size()), extents.data());
+  return group.createDataSet(name, type, space, settings);
+}
+
+}  // namespace
+
+GroupReader::GroupReader(const std::string& file) : file_(file) {
+  H5::Exception::dontPrint();
+  try {
+    group_ = H5::H5File(file, H5F_ACC_RDONLY).openGroup("/");
+  } catch (const H5::Exception&) {
+    throw UnreadableInput(
+        fmt::format("{}: the HDF5 library cannot open it, expected a complete HDF5 file", file));
+  }
+}
+
+GroupReader::GroupReader(std::string file, std::string path, H5::Group group)
+    : file_(std::move(file)), path_(std::move(path)), group_(std::move(group)) {}
+
+void GroupReader::fail(const std::string& name, const std::string& what) const {
+  const std::string place = name.empty() && !path_.empty() ? path_ : path_ + "/" + name;
+  throw UnreadableInput(fmt::format("{}: {}: {}", file_, place, what));
+}
+
+void GroupReader::guard(const std::string& name, const std::function<void()>& read) const {
+  try {
+    read();
+  } catch (const H5::Exception& error) {
+    fail(name, fmt::format("the HDF5 library cannot read it ({})", error.getDetailMsg()));
+  }
+}
+
+bool GroupReader::has(const std::string& name) const {
+  bool found = false;
+  guard(name, [&] { found = group_.nameExists(name); });
+  return found;
+}
+
+GroupReader GroupReader::group(const std::string& name) const {
+  H5::Group inner;
+  guard(name, [&] {
+    if (!group_.nameExists(name)) fail(name, "is missing, expected a group");
+    inner = group_.openGroup(name);
+  });
+  return GroupReader(file_, path_ + "/" + name, inner);
+}
+
+std::vector<std::string> GroupReader::groups_below() const {
+  std::vector<std::string> found;
+  const auto collect = [](H5::H5Object&, const H5std_string name, const H5O_info_t* info,
+                          void* names) {
+    if (info->type == H5O_TYPE_GROUP && name != ".")
+      static_cast<std::vector<std::string>*>(names)->push_back(name);
+    return 0;
+  };
+  guard("", [&] {
+    H5::Group(group_).visit(H5_INDEX_NAME, H5_ITER_INC, collect, &found, H5O_INFO_BASIC);
+  });
+  return found;
+}
+
+H5::DataSet GroupReader::open(const std::string& name, H5T_class_t kind,
+                              const std::vector<Index>& expected) const {
+  if (!group_.nameExists(name)) fail(name, "is missing, expected a dataset");
+  H5::DataSet data = group_.openDataSet(name);
+  if (data.getTypeClass() != kind)
+    fail(name, fmt::format("is {}, expected {}", kind_name(data.getTypeClass()), kind_name(kind)));
+  const std::vector<hsize_t> extents = extents_of(data.getSpace());
+  const std::vector<hsize_t> wanted(expected.begin(), expected.end());
+  if (extents != wanted)
+    fail(name, fmt::format("is {}, expected {}", extents_text(extents), extents_text(wanted)));
+  return data;
+}
+
+VectorXd GroupReader::vector(const std::string& name, Index size) const {
+  VectorXd numbers;
+  guard(name, [&] {
+    const H5::DataSet data = open(name, H5T_FLOAT, {size});
+    numbers.resize(size);
+    data.read(numbers.data(), H5::PredType::NATIVE_DOUBLE);
+  });
+  return numbers;
+}
+
+VectorXd GroupReader::vector(const std::string& name) const {
+  std::vector<hsize_t> extents;
+  guard(name, [&] {
+    if (!group_.nameExists(name)) fail(name, "is missing, expected a vector");
+    extents = extents_of(group_.openDataSet(name).getSpace());
+  });
+  if (extents.size() != 1 || extents[0] > static_cast<hsize_t>(largest_rows))
+    fail(name, fmt::format("is {}, expected a vector of at most {} numbers", extents_text(extents),
+                           largest_rows));
+  return vector(name, static_cast<Index>(extents[0]));
+}
+
+MatrixXd GroupReader::matrix(const std::string& name, Index rows, Index columns) const {
+  RowMajor numbers;
+  guard(name, [&] {
+    const H5::DataSet data = open(name, H5T_FLOAT, {rows, columns});
+    numbers.resize(rows, columns);
+    data.read(numbers.data(), H5::PredType::NATIVE_DOUBLE);
+  });
+  return numbers;
+}
+
+std::vector<Index> GroupReader::integers(const std::string& name, Index size) const {
+  std::vector<std::int64_t> numbers;
+  guard(name, [&] {
+    const H5::DataSet data = open(name, H5T_INTEGER, {size});
+    numbers.resize(static_cast<std::size_t>(size));
+    data.read(numbers.data(), H5::PredType::NATIVE_INT64);
+  });
+  return {numbers.begin(), numbers.end()};
+}
+
+bool GroupReader::has_attribute(const std::string& name) const {
+  bool found = false;
+  guard(name, [&] { found = group_.attrExists(name); });
+  return found;
+}
+
+Index GroupReader::integer_attribute(const std::string& name) const {
+  std::int64_t value = 0;
+  guard(name, [&] {
+    if (!group_.attrExists(name)) fail(name, "is missing, expected an integer attribute");
+    const H5::Attribute attribute = group_.openAttribute(name);
+    if (attribute.getTypeClass() != H5T_INTEGER ||
+        attribute.getSpace().getSimpleExtentNpoints() != 1)
+      fail(name, "is another attribute, expected one integer");
+    attribute.read(H5::PredType::NATIVE_INT64, &value);
+  });
+  return value;
+}
+
+std::string GroupReader::text_attribute(const std::string& name) const {
+  std::string text;
+  guard(name, [&] {
+    if (!group_.attrExists(name)) fail(name, "is missing, expected a text attribute");
+    const H5::Attribute attribute = group_.openAttribute(name);
+    if (attribute.getTypeClass() != H5T_STRING ||
+        attribute.getSpace().getSimpleExtentNpoints() != 1)
+      fail(name, "is another attribute, expected one text");
+    const H5::StrType type = attribute.getStrType();
+    if (type.isVariableStr() || type.getSize() > longest_text)
+      fail(name, fmt::format("is a text of {} bytes, expected at most {} and a fixed length",
+                             type.getSize(), longest_text));
+    std::vector<char> bytes(type.getSize() + 1, '\0');
+    attribute.read(type, bytes.data());
+    text = bytes.data();
+  });
+  return text;
+}
+
+std::map<std::string, std::string> GroupReader::text_attributes() const {
+  std::map<std::string, std::string> texts;
+  guard("", [&] {
+    for (int i = 0; i < group_.getNumAttrs(); ++i) {
+      const std::string name = group_.openAttribute(static_cast<unsigned>(i)).getName();
+      texts[name] = text_attribute(name);
+    }
+  });
+  return texts;
+}
+
+void write(H5::Group& group, const std::string& name, const VectorXd& numbers) {
+  create(group, name, H5::PredType::IEEE_F64LE, {static_cast<hsize_t>(numbers.size())})
+      .write(numbers.data(), H5::PredType::NATIVE_DOUBLE);
+}
+
+void write(H5::Group& group, const std::string& name, const MatrixXd& numbers) {
+  const RowMajor rows = numbers;
+  create(group, name, H5::PredType::IEEE_F64LE,
+         {static_cast<hsize_t>(rows.rows()), static_cast<hsize_t>(rows.cols())})
+      .write(rows.data(), H5::PredType::NATIVE_DOUBLE);
+}
+
+void write(H5::Group& group, const std::string& name, const std::vector<int>& numbers) {
+  create(group, name, H5::PredType::STD_I32LE, {numbers.size()})
+      .write(numbers.data(), H5::PredType::NATIVE_INT);
+}
+
+void write(H5::Group& group, const std::string& name, const std::vector<Index>& numbers) {
+  const std::vector<std::int64_t> wide(numbers.begin(), numbers.end());
+  create(group, name, H5::PredType::STD_I64LE, {wide.size()})
+      .write(wide.data(), H5::PredType::NATIVE_INT64);
+}
+
+void write_attribute(H5::Group& group, const std::string& name, Index value) {
+  const std::int64_t wide = value;
+  group.createAttribute(name, H5::PredType::STD_I64LE, H5::DataSpace(H5S_SCALAR))
+      .write(H5::PredType::NATIVE_INT64, &wide);
+}
+
+void write_attribute(H5::Group& group, const std::string& name, double value) {
+  group.createAttribute(name, H5::PredType::IEEE_F64LE, H5::DataSpace(H5S_SCALAR))
+      .write(H5::PredType::NATIVE_DOUBLE, &value);
+}
+
+void write_attribute(H5::Group& group, const std::string& name, const std::string& text) {
+  // Null-terminated, so that the empty text has a length that HDF5 accepts.
+  H5::StrType type(H5::PredType::C_S1, text.size() + 1);
+  type.setCset(H5T_CSET_UTF8);
+  group.createAttribute(name, type, H5::DataSpace(H5S_SCALAR)).write(type, text.c_str());
+}
+
+}  // namespace lcp::hdf5

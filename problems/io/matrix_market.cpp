@@ -1,0 +1,268 @@
+#include "problems/io/matrix_market.h"
+
+#include <cholmod.h>
+#include <fmt/format.h>
+
+#include <cstdio>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <memory>
+#include <new>
+#include <sstream>
+#include <string_view>
+#include <vector>
+
+#include "problems/io/errors.h"
+#include "problems/io/limits.h"
+#include "problems/io/replace_file.h"
+
+namespace lcp {
+
+namespace {
+
+/// CHOLMOD writes numbers from here on as if they were infinite.
+constexpr double cholmod_infinity = 1e308;
+
+std::string file_of_q(const std::string& path_of_M) {
+  const std::string_view ending = matrix_market_ending;
+  return path_of_M.substr(0, path_of_M.size() - ending.size()) + ".q.mtx";
+}
+
+/// CHOLMOD's workspace, with its printing switched off.
+class Cholmod {
+ public:
+  Cholmod() {
+    cholmod_start(&common_);
+    common_.print = 0;
+  }
+  ~Cholmod() { cholmod_finish(&common_); }
+  Cholmod(const Cholmod&) = delete;
+  Cholmod& operator=(const Cholmod&) = delete;
+  cholmod_common* common() { return &common_; }
+
+  auto own(cholmod_sparse* matrix) {
+    const auto free = [this](cholmod_sparse* it) { cholmod_free_sparse(&it, &common_); };
+    return std::unique_ptr<cholmod_sparse, decltype(free)>(matrix, free);
+  }
+  auto own(cholmod_dense* matrix) {
+    const auto free = [this](cholmod_dense* it) { cholmod_free_dense(&it, &common_); };
+    return std::unique_ptr<cholmod_dense, decltype(free)>(matrix, free);
+  }
+
+ private:
+  cholmod_common common_;
+};
+
+struct CloseFile {
+  void operator()(std::FILE* file) const { std::fclose(file); }
+};
+using File = std::unique_ptr<std::FILE, CloseFile>;
+
+// --- reading ---
+
+std::string read_text(const std::string& path) {
+  if (!std::filesystem::is_regular_file(path))
+    throw UnreadableInput(fmt::format("{}: no such file, expected a Matrix Market file", path));
+  std::ifstream file(path, std::ios::binary);
+  std::ostringstream text;
+  text << file.rdbuf();
+  if (!file || text.str().empty())
+    throw UnreadableInput(
+        fmt::format("{}: empty or unreadable, expected a Matrix Market file", path));
+  return text.str();
+}
+
+/// The next line that is neither blank nor a comment; false at the end.
+bool next_line(std::istream& lines, std::string& line) {
+  while (std::getline(lines, line))
+    if (!line.starts_with('%') && line.find_first_not_of(" \t\r") != std::string::npos) return true;
+  return false;
+}
+
+/// The numbers of a line; empty unless it holds nothing else.
+std::vector<double> numbers_of(const std::string& line) {
+  std::vector<double> numbers;
+  const char* at = line.c_str();
+  for (char* end = nullptr;; at = end) {
+    const double number = std::strtod(at, &end);
+    if (end == at) break;
+    numbers.push_back(number);
+  }
+  return line.find_first_not_of(" \t\r", static_cast<std::size_t>(at - line.c_str())) ==
+                 std::string::npos
+             ? numbers
+             : std::vector<double>{};
+}
+
+[[noreturn]] void refuse(const std::string& path, const std::string& line,
+                         const std::string& expected) {
+  constexpr std::size_t shown = 60;
+  throw UnreadableInput(
+      fmt::format("{}: line '{}', expected {}", path, line.substr(0, shown), expected));
+}
+
+/// True for the coordinate format, false for the array format.
+bool is_sparse(const std::string& path, const std::string& header) {
+  std::istringstream words(header);
+  std::string banner, object, format, field;
+  words >> banner >> object >> format >> field;
+  // CHOLMOD calls a matrix of zeros a pattern without entries.
+  const bool known = banner == "%%MatrixMarket" && object == "matrix" &&
+                     (format == "coordinate" || format == "array") &&
+                     (field == "real" || field == "integer" || field == "pattern");
+  if (!known) refuse(path, header, "'%%MatrixMarket matrix coordinate|array real|integer ...'");
+  return format == "coordinate";
+}
+
+/// Compares the size line (rows, columns and, of a sparse matrix, entries) with the limit and with
+/// the length of the file, since CHOLMOD allocates what it says.
+void check_size_line(const std::string& path, const std::string& line, bool sparse,
+                     std::size_t bytes) {
+  const std::vector<double> sizes = numbers_of(line);
+  const auto fits = [](double size) { return size >= 1 && size <= double(largest_rows); };
+  if (sizes.size() != (sparse ? 3 : 2) || !fits(sizes[0]) || !fits(sizes[1]))
+    refuse(path, line,
+           fmt::format("1 ... {} rows and columns{}", largest_rows, sparse ? " and entries" : ""));
+  // A skew-symmetric array stores what is below the diagonal only.
+  const double entries =
+      sparse ? sizes[2] : (sizes[0] * sizes[1] - std::max(sizes[0], sizes[1])) / 2;
+  if (!(entries >= 0 && entries <= static_cast<double>(bytes)))
+    throw UnreadableInput(
+        fmt::format("{}: declares {} entries in a file of {} bytes", path, entries, bytes));
+}
+
+/// Refuses what CHOLMOD would make up numbers for (entries without a value, which it takes for a
+/// pattern) or misread (row and column 0), and sizes that it should not allocate.
+void check_text(const std::string& path, const std::string& text) {
+  std::istringstream lines(text);
+  std::string line;
+  std::getline(lines, line);
+  const bool sparse = is_sparse(path, line);
+  line.clear();
+  next_line(lines, line);
+  check_size_line(path, line, sparse, text.size());
+  while (next_line(lines, line)) {
+    const std::vector<double> numbers = numbers_of(line);
+    if (sparse && (numbers.size() != 3 || numbers[0] < 1 || numbers[1] < 1))
+      refuse(path, line, "row, column (from 1) and value");
+    if (!sparse && numbers.size() != 1) refuse(path, line, "one value");
+  }
+}
+
+MatrixXd from_dense(const cholmod_dense& matrix) {
+  return Eigen::Map<const MatrixXd, 0, Eigen::OuterStride<>>(
+      static_cast<const double*>(matrix.x), static_cast<Index>(matrix.nrow),
+      static_cast<Index>(matrix.ncol), Eigen::OuterStride<>(static_cast<Index>(matrix.d)));
+}
+
+/// Reads a matrix of any storage, both triangles of it.
+MatrixXd read_matrix(const std::string& path) {
+  std::string text = read_text(path);
+  check_text(path, text);
+  constexpr int both_triangles = 1;
+  const File file(fmemopen(text.data(), text.size(), "r"));
+  Cholmod cholmod;
+  int type = CHOLMOD_DENSE;
+  void* found = cholmod_read_matrix(file.get(), both_triangles, &type, cholmod.common());
+  if (found == nullptr)
+    throw UnreadableInput(
+        fmt::format("{}: malformed or truncated, expected a Matrix Market file", path));
+  const auto sparse =
+      cholmod.own(type == CHOLMOD_SPARSE ? static_cast<cholmod_sparse*>(found) : nullptr);
+  const auto dense = cholmod.own(sparse ? cholmod_sparse_to_dense(sparse.get(), cholmod.common())
+                                        : static_cast<cholmod_dense*>(found));
+  if (!dense) throw std::bad_alloc();
+  return from_dense(*dense);
+}
+
+// --- writing ---
+
+/// Why a pair of matrices cannot hold the problem; empty when it can.
+std::string reason_to_refuse(const Problem& problem) {
+  if (problem.size() == 0) return "the instance is empty (n = 0)";
+  if (problem.friction) return "the instance has friction blocks";
+  if (problem.c.size() > 0) return "the instance has a covering vector of its own";
+  if (problem.pivot_limit != 0) return "the instance has a pivot limit of its own";
+  if (problem.M.cwiseAbs().maxCoeff() >= cholmod_infinity ||
+      problem.q.cwiseAbs().maxCoeff() >= cholmod_infinity)
+    return fmt::format("the instance has numbers beyond {}", cholmod_infinity);
+  Problem plain = problem;
+  set_plain_scales(plain);
+  if (plain.s_z != problem.s_z || plain.s_w != problem.s_w)
+    return "the instance has scales of its own";
+  return "";
+}
+
+/// What `write` prints to a file, as text.
+template <class Write>
+std::string print(const std::string& path, Write write) {
+  char* bytes = nullptr;
+  std::size_t size = 0;
+  bool done = false;
+  {
+    const File memory(open_memstream(&bytes, &size));
+    done = memory && write(memory.get()) >= 0;
+  }
+  const std::unique_ptr<char, decltype(&std::free)> owned(bytes, &std::free);
+  if (!done) throw UnwritableOutput(fmt::format("{}: CHOLMOD cannot write the matrix", path));
+  return std::string(bytes, size);
+}
+
+/// A view of a matrix or vector for CHOLMOD, which takes no const but does not write.
+cholmod_dense view(const double* numbers, Index rows, Index columns) {
+  cholmod_dense matrix{};
+  matrix.nrow = static_cast<std::size_t>(rows);
+  matrix.ncol = static_cast<std::size_t>(columns);
+  matrix.nzmax = matrix.nrow * matrix.ncol;
+  matrix.d = matrix.nrow;
+  matrix.x = const_cast<double*>(numbers);
+  matrix.xtype = CHOLMOD_REAL;
+  matrix.dtype = CHOLMOD_DOUBLE;
+  return matrix;
+}
+
+}  // namespace
+
+Instance read_matrix_market(const std::string& path, const std::string& name) {
+  const std::string path_of_q = file_of_q(path);
+  Problem problem;
+  problem.M = read_matrix(path);
+  const Index n = problem.M.rows();
+  if (problem.M.cols() != n)
+    throw UnreadableInput(
+        fmt::format("{}: M is {} x {}, expected a square matrix", path, n, problem.M.cols()));
+  const MatrixXd q = read_matrix(path_of_q);
+  if (q.rows() != n || q.cols() != 1)
+    throw UnreadableInput(
+        fmt::format("{}: q is {} x {}, expected {} x 1", path_of_q, q.rows(), q.cols(), n));
+  problem.q = q.col(0);
+  set_plain_scales(problem);
+  try {
+    return make_instance(name, std::move(problem), {{"file", path}});
+  } catch (const std::invalid_argument& error) {
+    throw UnreadableInput(fmt::format("{}: {}", path, error.what()));
+  }
+}
+
+void write_matrix_market(const std::string& path, const Instance& instance) {
+  const Problem& problem = instance.problem;
+  const std::string reason = reason_to_refuse(problem);
+  if (!reason.empty())
+    throw UnwritableOutput(fmt::format("{}: Matrix Market cannot hold '{}': {}; write .hdf5", path,
+                                       instance.name, reason));
+  Cholmod cholmod;
+  cholmod_dense dense = view(problem.M.data(), problem.size(), problem.size());
+  cholmod_dense q = view(problem.q.data(), problem.size(), 1);
+  const auto M = cholmod.own(cholmod_dense_to_sparse(&dense, true, cholmod.common()));
+  const std::string text_of_M = print(path, [&](std::FILE* file) {
+    return cholmod_write_sparse(file, M.get(), nullptr, nullptr, cholmod.common());
+  });
+  const std::string text_of_q = print(file_of_q(path), [&](std::FILE* file) {
+    return cholmod_write_dense(file, &q, nullptr, cholmod.common());
+  });
+  replace_file(file_of_q(path), text_of_q);
+  replace_file(path, text_of_M);
+}
+
+}  // namespace lcp

@@ -1,0 +1,82 @@
+#include "problems/io/replace_file.h"
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstdio>
+#include <cstring>
+#include <filesystem>
+
+#include "problems/io/errors.h"
+
+namespace lcp {
+
+namespace {
+
+[[noreturn]] void fail(const std::string& path, const char* what) {
+  const int reason = errno;
+  throw UnwritableOutput(fmt::format("{}: cannot {}: {}", path, what, std::strerror(reason)));
+}
+
+/// A file that is removed again unless it was renamed to what it shall be.
+class TemporaryFile {
+ public:
+  explicit TemporaryFile(const std::string& target)
+      : target_(target), path_(fmt::format("{}.{}.tmp", target, getpid())) {
+    file_ = open(path_.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666);
+    if (file_ < 0) fail(target_, "write");
+  }
+  ~TemporaryFile() {
+    if (file_ >= 0) close(file_);
+    if (!renamed_) unlink(path_.c_str());
+  }
+  TemporaryFile(const TemporaryFile&) = delete;
+  TemporaryFile& operator=(const TemporaryFile&) = delete;
+
+  void write(std::string_view bytes) {
+    while (!bytes.empty()) {
+      const ssize_t written = ::write(file_, bytes.data(), bytes.size());
+      if (written < 0 && errno == EINTR) continue;
+      if (written < 0) fail(target_, "write");
+      bytes.remove_prefix(static_cast<std::size_t>(written));
+    }
+    if (fsync(file_) != 0) fail(target_, "write");
+    const int closed = close(file_);
+    file_ = -1;
+    if (closed != 0) fail(target_, "write");
+  }
+
+  void rename() {
+    if (std::rename(path_.c_str(), target_.c_str()) != 0) fail(target_, "replace");
+    renamed_ = true;
+  }
+
+ private:
+  std::string target_;
+  std::string path_;
+  int file_ = -1;
+  bool renamed_ = false;
+};
+
+/// Makes the renaming itself survive a loss of power; a file system that cannot do this has its
+/// reasons, and the content is safe already.
+void synchronise_directory_of(const std::string& path) {
+  const std::filesystem::path parent = std::filesystem::path(path).parent_path();
+  const int directory = open(parent.empty() ? "." : parent.c_str(), O_RDONLY | O_CLOEXEC);
+  if (directory < 0) return;
+  fsync(directory);
+  close(directory);
+}
+
+}  // namespace
+
+void replace_file(const std::string& path, std::string_view bytes) {
+  TemporaryFile file(path);
+  file.write(bytes);
+  file.rename();
+  synchronise_directory_of(path);
+}
+
+}  // namespace lcp

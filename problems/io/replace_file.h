@@ -1,0 +1,14 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+
+namespace lcp {
+
+/// Makes `path` hold `bytes` and nothing else. They go to a temporary file beside it, which is
+/// synchronised to the disk and then renamed, so that at every moment `path` is either what it was
+/// or complete; on failure the temporary file is removed. Throws UnwritableOutput naming path and
+/// reason (no such directory, no space, no permission).
+void replace_file(const std::string& path, std::string_view bytes);
+
+}  // namespace lcp

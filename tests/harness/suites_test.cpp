@@ -1,0 +1,69 @@
+#include "harness/suites.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <set>
+#include <stdexcept>
+
+#include "solvers/registry.h"
+
+namespace lcp {
+namespace {
+
+TEST(Suites, NameOnlySolversThatExistAndEachOnce) {
+  for (const Suite& suite : suites())
+    EXPECT_EQ(make_solvers(suite.solvers).size(), suite.solvers.size()) << suite.name;
+}
+
+TEST(Suites, NameOnlyFamiliesThatExist) {
+  for (const Suite& suite : suites())
+    for (const SuitePart& part : suite.parts)
+      EXPECT_EQ(generate(part.family, {1, 1}).size(), 1u) << part.family;
+}
+
+TEST(Suites, AreSortedByName) {
+  EXPECT_TRUE(std::is_sorted(suites().begin(), suites().end(),
+                             [](const Suite& a, const Suite& b) { return a.name < b.name; }));
+}
+
+TEST(Suites, GenerateAsManyInstancesAsTheySay) {
+  EXPECT_EQ(static_cast<Index>(generate(find_suite("small")).size()), size(find_suite("small")));
+  const Suite thin = {"thin", "", {{"published", 7, 3}, {"published", 4, 1}}, {}};
+  EXPECT_EQ(size(thin), 3 + 4);
+  EXPECT_EQ(generate(thin).size(), 7u);
+}
+
+TEST(Suites, UnknownOnesAreRefusedWithTheList) {
+  try {
+    find_suite("nosuch");
+    FAIL() << "found";
+  } catch (const std::invalid_argument& error) {
+    EXPECT_STREQ(error.what(), "unknown suite 'nosuch', known are: contact, default, small");
+  }
+}
+
+std::vector<std::string> names(const std::vector<Instance>& instances) {
+  std::vector<std::string> names;
+  for (const Instance& instance : instances) names.push_back(instance.name);
+  return names;
+}
+
+std::vector<Instance> two_corpora() {
+  std::vector<Instance> instances;
+  for (const char* name : {"a/0", "b/0", "a/1", "a/2", "b/1", "a/3"})
+    instances.emplace_back().name = name;
+  return instances;
+}
+
+TEST(Thinning, KeepsEveryKthOfEachCorpus) {
+  EXPECT_EQ(names(thinned(two_corpora(), 2, 0)), (std::vector<std::string>{"a/0", "b/0", "a/2"}));
+}
+
+TEST(Thinning, KeepsTheFirstOfEachCorpus) {
+  EXPECT_EQ(names(thinned(two_corpora(), 1, 1)), (std::vector<std::string>{"a/0", "b/0"}));
+  EXPECT_EQ(names(thinned(two_corpora(), 1, 0)).size(), 6u);
+}
+
+}  // namespace
+}  // namespace lcp

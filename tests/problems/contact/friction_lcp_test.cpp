@@ -1,0 +1,147 @@
+#include "problems/contact/friction_lcp.h"
+
+#include <gtest/gtest.h>
+
+#include "tests/problems/contact/contact_cases.h"
+
+namespace lcp {
+namespace {
+
+using Eigen::Vector3d;
+
+TEST(FrictionLcp, OfAParticleIsEquation25WrittenOut) {
+  // W = I / 2, vbar = (-1, 0.3, 0), mu = 0.5, directions +t1, +t2, -t1, -t2.
+  const Problem problem = friction_lcp(cases::particle(0.5, {-1, 0.3, 0}), {.directions = 4});
+  MatrixXd M(6, 6);
+  M << 0.5, 0, 0, 0, 0, 0,    //
+      0, 0.5, 0, -0.5, 0, 1,  //
+      0, 0, 0.5, 0, -0.5, 1,  //
+      0, -0.5, 0, 0.5, 0, 1,  //
+      0, 0, -0.5, 0, 0.5, 1,  //
+      0.5, -1, -1, -1, -1, 0;
+  EXPECT_EQ(problem.M, M);
+  EXPECT_EQ(problem.q, (VectorXd{{-1, 0.3, 0, -0.3, 0, 0}}));
+  // v* = 1 m/s, f* = 1 / 0.5 N.
+  EXPECT_EQ(problem.s_z, (VectorXd{{2, 2, 2, 2, 2, 1}}));
+  EXPECT_EQ(problem.s_w, (VectorXd{{1, 1, 1, 1, 1, 2}}));
+}
+
+TEST(FrictionLcp, OfAStickingParticleIsSolvedByTheForceThatStopsIt) {
+  // f = -vbar / 0.5 = (2, -0.6, 0), inside the cone since 0.6 < 0.5 * 2.
+  const Problem problem = friction_lcp(cases::particle(0.5, {-1, 0.3, 0}), {.directions = 4});
+  const VectorXd z{{2, 0, 0, 0.6, 0, 0}};
+  EXPECT_NEAR(cases::natural_residual(problem, z), 0, 1e-15);
+  const VectorXd forces = contact_forces(*problem.friction, z);
+  EXPECT_EQ(forces, Vector3d(2, -0.6, 0));
+  EXPECT_NEAR(post_velocities(*problem.friction, forces).norm(), 0, 1e-15);
+}
+
+TEST(FrictionLcp, OfASlidingParticleHasItsSlipSpeedInLambda) {
+  // f_n = 2, friction 0.2 * 2 against +t1: slip 3 - 0.4 / 2 = 2.8 m/s.
+  const Problem problem = friction_lcp(cases::particle(0.2, {-1, 3, 0}), {.directions = 4});
+  const VectorXd z{{2, 0, 0, 0.4, 0, 2.8}};
+  EXPECT_NEAR(cases::natural_residual(problem, z), 0, 1e-15);
+}
+
+TEST(FrictionLcp, BlocksAreThoseOfEquation25AndFrictionlessContactsHaveNoRowsInThem) {
+  cases::Uniform uniform(3);
+  const ContactProblem contacts = cases::random_contacts({0.3, 0, 0.8}, 100, uniform);
+  const Index m = 6;
+  const Problem problem = friction_lcp(contacts, {.directions = m});
+  ASSERT_EQ(problem.size(), 3 + 2 * (m + 1));
+  const FrictionBlocks& blocks = *problem.friction;
+  EXPECT_EQ(blocks.normal_row, (std::vector<Index>{0, 1, 2}));
+  EXPECT_EQ(blocks.friction_row, (std::vector<Index>{3, -1, 9}));
+  EXPECT_EQ(blocks.cone_row, (std::vector<Index>{15, -1, 16}));
+
+  MatrixXd N = MatrixXd::Zero(9, 3), C = MatrixXd::Zero(9, 2 * m), E = MatrixXd::Zero(2, 2 * m);
+  MatrixXd mu = MatrixXd::Zero(2, 3);
+  for (Index i = 0; i < 3; ++i) N(3 * i, i) = 1;
+  C.block(1, 0, 2, m) = blocks.directions.leftCols(m);
+  C.block(7, m, 2, m) = blocks.directions.rightCols(m);
+  E.row(0).head(m).setOnes();
+  E.row(1).tail(m).setOnes();
+  mu(0, 0) = 0.3;
+  mu(1, 2) = 0.8;
+  MatrixXd M(17, 17);
+  const MatrixXd& W = contacts.W;
+  M << N.transpose() * W * N, N.transpose() * W * C, MatrixXd::Zero(3, 2),  //
+      C.transpose() * W * N, C.transpose() * W * C, E.transpose(),          //
+      mu, -E, MatrixXd::Zero(2, 2);
+  VectorXd q(17);
+  q << N.transpose() * contacts.vbar, C.transpose() * contacts.vbar, 0, 0;
+  EXPECT_LT((problem.M - M).cwiseAbs().maxCoeff(), 1e-13);
+  EXPECT_LT((problem.q - q).cwiseAbs().maxCoeff(), 1e-15);
+}
+
+TEST(FrictionLcp, VelocityRowsAreSymmetricAndOppositeDirectionsAreOppositeToTheLastBit) {
+  cases::Uniform uniform(4);
+  const Problem problem =
+      friction_lcp(cases::random_contacts({0.3, 0.5, 0.8}, 100, uniform), {.directions = 8});
+  const Index velocity_rows = 3 + 3 * 8;
+  const MatrixXd velocity = problem.M.topLeftCorner(velocity_rows, velocity_rows);
+  EXPECT_EQ(velocity, velocity.transpose().eval());
+  for (const Index first : problem.friction->friction_row)
+    EXPECT_EQ(velocity.middleRows(first, 4), -velocity.middleRows(first + 4, 4));
+}
+
+TEST(FrictionLcp, IsTheSameInMetresAndInMillimetresOnceScaled) {
+  cases::Uniform uniform(5);
+  ContactProblem contacts = cases::random_contacts({0.3, 0.5}, 100, uniform);
+  const Problem metres = friction_lcp(contacts);
+  contacts.W *= 1000;
+  contacts.vbar *= 1000;
+  const Problem millimetres = friction_lcp(contacts);
+
+  for (Index i = 0; i < metres.size(); ++i) {
+    const bool cone = i >= 2 + 2 * 8;
+    EXPECT_NEAR(millimetres.s_z(i) / metres.s_z(i), cone ? 1000 : 1, cone ? 1e-12 : 1e-15);
+    EXPECT_NEAR(millimetres.s_w(i) / metres.s_w(i), cone ? 1 : 1000, cone ? 1e-15 : 1e-12);
+  }
+  const auto scaled = [](const Problem& problem) -> MatrixXd {
+    return problem.s_w.cwiseInverse().asDiagonal() * problem.M * problem.s_z.asDiagonal();
+  };
+  EXPECT_LT((scaled(metres) - scaled(millimetres)).cwiseAbs().maxCoeff(), 1e-14);
+  EXPECT_LT((metres.q.cwiseQuotient(metres.s_w) - millimetres.q.cwiseQuotient(millimetres.s_w))
+                .cwiseAbs()
+                .maxCoeff(),
+            1e-15);
+}
+
+TEST(FrictionLcp, ScalesStayPositiveWithoutMotionOrMobility) {
+  ContactProblem still = cases::particle(0.5, {0, 0, 0});
+  EXPECT_EQ(friction_lcp(still).s_w(0), 1);
+  EXPECT_EQ(friction_lcp(still).s_z(0), 2);
+  still.W.setZero();
+  EXPECT_EQ(friction_lcp(still).s_z(0), 1);
+}
+
+TEST(FrictionLcp, WithoutFrictionIsTheNormalBlock) {
+  cases::Uniform uniform(6);
+  const ContactProblem contacts = cases::random_contacts({0.3, 0.5}, 100, uniform);
+  const Problem problem = frictionless_lcp(contacts);
+  ASSERT_EQ(problem.size(), 2);
+  EXPECT_EQ(problem.M(0, 1), contacts.W(0, 3));
+  EXPECT_EQ(problem.M(1, 1), contacts.W(3, 3));
+  EXPECT_EQ(problem.q(1), contacts.vbar(3));
+  EXPECT_EQ(contact_forces(*problem.friction, VectorXd{{2, 3}}), (VectorXd{{2, 0, 0, 3, 0, 0}}));
+}
+
+TEST(FrictionLcp, MapsForcesBackAsNormalAndCombinedDirections) {
+  cases::Uniform uniform(7);
+  const Problem problem = friction_lcp(cases::random_contacts({0, 0.5}, 10, uniform));
+  VectorXd z = VectorXd::Zero(problem.size());
+  z(0) = 4;
+  z(1) = 5;
+  z(2) = 3;        // b_1 of contact 1, along t1
+  z(2 + 2) = 1.5;  // b_3, along t2
+  const VectorXd forces = contact_forces(*problem.friction, z);
+  EXPECT_EQ(forces, (VectorXd{{4, 0, 0, 5, 3, 1.5}}));
+  const VectorXd velocity = problem.friction->W * forces + problem.friction->vbar;
+  EXPECT_EQ(post_velocities(*problem.friction, forces), velocity);
+  EXPECT_THROW(contact_forces(*problem.friction, z.head(4)), std::invalid_argument);
+  EXPECT_THROW(post_velocities(*problem.friction, forces.head(3)), std::invalid_argument);
+}
+
+}  // namespace
+}  // namespace lcp
