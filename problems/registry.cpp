@@ -42,9 +42,10 @@ std::vector<Instance> generate(const std::string& text, Draw draw) {
   const std::unique_ptr<Family> family = row.make();
   apply(family->options(), spelling, row.info.name);
   if (draw.count == 0) draw.count = row.info.default_count;
+  draw.corpus = full_spelling(row.info.name, family->options(), row.make()->options());
   std::vector<Instance> instances = family->generate(draw);
   for (Instance& instance : instances) {
-    instance.provenance["family"] = text;
+    instance.provenance["family"] = draw.corpus;
     instance.provenance["seed"] = std::to_string(draw.seed);
   }
   return instances;

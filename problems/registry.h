@@ -14,6 +14,8 @@ namespace lcp {
 struct Draw {
   Index count = 1;
   std::uint64_t seed = 1;
+  /// What instances' names begin with: the family in full spelling. generate() fills it.
+  std::string corpus = {};
 };
 
 /// A generated family of instances with its knobs set.
@@ -43,7 +45,8 @@ struct FamilyRow {
 const std::vector<FamilyRow>& families();
 
 /// Draws instances of `name:key=value,...`; `draw.count` 0 means the family's default. Names are
-/// `name/0000`..., provenance holds family (full spelling), seed and index. Throws
+/// `name:key=value,.../0000`..., with the knobs that differ from their defaults; provenance holds
+/// family (full spelling) and seed. Throws
 /// std::invalid_argument with the list of what is allowed.
 std::vector<Instance> generate(const std::string& text, Draw draw);
 

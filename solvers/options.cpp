@@ -165,4 +165,16 @@ void apply(const OptionTable& table, const Spelling& spelling, const std::string
   }
 }
 
+std::string full_spelling(const std::string& name, const OptionTable& now,
+                          const OptionTable& defaults) {
+  std::string spelling = name;
+  char separator = ':';
+  for (std::size_t i = 0; i < now.size(); ++i) {
+    if (now[i].get() == defaults[i].get()) continue;
+    spelling += fmt::format("{}{}={}", separator, now[i].name, now[i].get());
+    separator = ',';
+  }
+  return spelling;
+}
+
 }  // namespace lcp

@@ -65,6 +65,10 @@ Spelling parse_spelling(const std::string& text);
 /// allowed on an unknown key or a refused value. `owner` is named in the message.
 void apply(const OptionTable& table, const Spelling& spelling, const std::string& owner);
 
+/// `name` with the settings in which `now` differs from `defaults`, the same table with other values.
+std::string full_spelling(const std::string& name, const OptionTable& now,
+                          const OptionTable& defaults);
+
 /// Shortest decimal that reads back as `value`: 1e-08, 0.5, 0.
 std::string shortest(double value);
 

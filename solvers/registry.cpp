@@ -24,23 +24,10 @@ std::vector<Row>& rows() {
   return all;
 }
 
-/// `name` with the settings in which `solver` differs from a fresh one.
-std::string full_spelling(const std::string& name, Solver& solver, Solver& fresh) {
-  const OptionTable now = solver.options(), defaults = fresh.options();
-  std::string spelling = name;
-  char separator = ':';
-  for (std::size_t i = 0; i < now.size(); ++i) {
-    if (now[i].get() == defaults[i].get()) continue;
-    spelling += fmt::format("{}{}={}", separator, now[i].name, now[i].get());
-    separator = ',';
-  }
-  return spelling;
-}
-
 NamedSolver make_from(const Row& row, const Spelling& spelling) {
   std::shared_ptr<Solver> solver = row.make();
   apply(solver->options(), spelling, row.info.name);
-  std::string full = full_spelling(row.info.name, *solver, *row.make());
+  std::string full = full_spelling(row.info.name, solver->options(), row.make()->options());
   return {std::move(full), row.info, std::move(solver)};
 }
 

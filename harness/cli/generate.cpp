@@ -19,7 +19,7 @@ struct GenerateArguments {
 
 int generate_to_file(const GenerateArguments& arguments) {
   const std::vector<Instance> instances =
-      generate(arguments.family, {arguments.count, arguments.seed});
+      generate(arguments.family, {.count = arguments.count, .seed = arguments.seed});
   save_instances(arguments.out, instances);
   fmt::print(stderr, "{} instances are in {}\n", instances.size(), arguments.out);
   return done;

@@ -75,15 +75,15 @@ Problem assemble(FrictionBlocks blocks) {
   Problem problem;
   problem.M = MatrixXd::Zero(n, n);
   problem.q = VectorXd::Zero(n);
-  // [N | C]' W [N | C], mirrored so that the part that is symmetric is so to the last bit.
+  // [N | C]' W [N | C], where opposite directions give opposite numbers to the last bit.
   for (Index j = 0; j < velocity_rows; ++j) {
-    const Eigen::Vector3d& axis = columns[j].axis;
     const auto block = blocks.W.middleCols<3>(3 * columns[j].contact);
-    for (Index i = 0; i <= j; ++i) {
-      const Eigen::Vector3d velocity = block.middleRows<3>(3 * columns[i].contact) * axis;
-      problem.M(i, j) = problem.M(j, i) = columns[i].axis.dot(velocity);
+    for (Index i = 0; i < velocity_rows; ++i) {
+      const Eigen::Vector3d velocity =
+          block.middleRows<3>(3 * columns[i].contact) * columns[j].axis;
+      problem.M(i, j) = columns[i].axis.dot(velocity);
     }
-    problem.q(j) = axis.dot(blocks.vbar.segment<3>(3 * columns[j].contact));
+    problem.q(j) = columns[j].axis.dot(blocks.vbar.segment<3>(3 * columns[j].contact));
   }
   for (Index i = 0; i < blocks.contacts(); ++i) {
     const Index cone = blocks.cone_row[i];

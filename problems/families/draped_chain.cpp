@@ -2,14 +2,15 @@
 //
 // What      A chain of rods with ball joints; some links lie on the upper half of the rod with two
 //           beads each, the ends hang down and carry heavier links. Forces reach every contact
-//           through the joints, so W is dense; neighbouring beads of one link and of the next move
-//           almost alike, so W is rank-deficient and badly conditioned, the more so the larger
-//           `mass_ratio`. 26 links, 12 of them on the rod: about 24 contacts, n about 240.
+//           through the joints, so W is dense; neighbouring beads, of one link and of the next, move
+//           almost alike, so W is rank-deficient and badly conditioned. 26 links, 12 of them on the
+//           rod: about 24 contacts, n about 240.
 // Series    Each frame starts from the velocity and the pose to which the forces of the frame before
 //           led (bead_chain.h; semi-implicit: the pose moves with v+). So that the chain goes on
 //           moving, every `shake_every` frames, and at the first, its velocity is replaced by a
 //           seeded one that the joints allow: sliding around the rod with up to `slide_speed`, and
 //           sideways along it in half waves of up to `shake_speed`.
+// Seed      Of the generator (mt19937_64) of these velocities.
 // Touch     A bead within `margin` of the rod is a contact; a bead inside it is pushed out by 0.005
 //           of its depth a step.
 // Source    The kind of problem of K. Yamane, Y. Nakamura (2008), V-B (hoisting chain), Table III.
@@ -149,7 +150,7 @@ std::vector<Instance> generate_chain(const ChainKnobs& knobs, const Draw& draw) 
         fmt::format("draped-chain: wrapped={} links leave no room for a rod between them; expected "
                     "more, longer ones, or smaller beads",
                     knobs.wrapped));
-  FrameSeries series("draped-chain", knobs.driver,
+  FrameSeries series(draw.corpus, knobs.driver,
                      {.directions = knobs.directions, .axes = knobs.axes});
   std::mt19937_64 random(draw.seed);
   BeadChain chain = drape(knobs);

@@ -4,8 +4,8 @@
 //           centre of mass moves in a prescribed way, on coplanar contacts along the edges of both
 //           soles. rank(W) = 6 whatever their number; with 16 contacts and 8 directions n = 160.
 // Model     Twist (v_b, omega) of the feet, about a point b on the floor between them; centre of
-//           mass at r(t) from b, lean, sway and bob in one phase p:
-//               r = (A_l sin(w_l t + p), A_s sin(w_s t + p), h - A_b (1 - cos(w_b t + p)) / 2).
+//           mass at r(t) from b, lean, sway and bob with one phase s:
+//               r = (A_l sin(w_l t + s), A_s sin(w_s t + s), h - A_b (1 - cos(w_b t + s)) / 2).
 //           Momentum p = m (v_b + omega x r + r'), spin L = I omega, I constant. One step is
 //               p+ = p + dt m g + dt sum f_i,   L+ = L + dt sum (x_i - r) x f_i,
 //           with r and r' at its end, so that contact i moves with v_i+ = W f + vbar,
@@ -15,6 +15,7 @@
 // Held      Only velocities are carried on. The pose of the feet is held, so the points stay the
 //           same: exact for sliding on a floor, an approximation for tilting soles, which do not
 //           tilt here because the zero moment point stays between the feet.
+// Seed      Shifts the phase s, by less than 0.2 rad; seed 1 stands for s = 0.
 // Source    The experiment of K. Yamane, Y. Nakamura (2008), V-A and Table I, reduced to the body
 //           that its contacts see; size and weight of a 7 kg, 0.55 m robot.
 
@@ -192,7 +193,7 @@ std::vector<Instance> generate_squat(const SquatKnobs& knobs, const Draw& draw) 
   if (knobs.contacts % 2 != 0)
     throw std::invalid_argument(fmt::format(
         "squat-like: contacts={}: expected an even number, half on each foot", knobs.contacts));
-  FrameSeries series("squat-like", knobs.driver,
+  FrameSeries series(draw.corpus, knobs.driver,
                      {.directions = knobs.directions, .axes = knobs.axes});
   Squat squat(knobs, draw.seed);
   for (Index frame = 0; frame < draw.count; ++frame) {

@@ -11,10 +11,9 @@
 #include <new>
 #include <sstream>
 #include <string_view>
-#include <vector>
 
 #include "problems/io/errors.h"
-#include "problems/io/limits.h"
+#include "problems/io/matrix_market_text.h"
 #include "problems/io/replace_file.h"
 
 namespace lcp {
@@ -73,83 +72,6 @@ std::string read_text(const std::string& path) {
   return text.str();
 }
 
-/// The next line that is neither blank nor a comment; false at the end.
-bool next_line(std::istream& lines, std::string& line) {
-  while (std::getline(lines, line))
-    if (!line.starts_with('%') && line.find_first_not_of(" \t\r") != std::string::npos) return true;
-  return false;
-}
-
-/// The numbers of a line; empty unless it holds nothing else.
-std::vector<double> numbers_of(const std::string& line) {
-  std::vector<double> numbers;
-  const char* at = line.c_str();
-  for (char* end = nullptr;; at = end) {
-    const double number = std::strtod(at, &end);
-    if (end == at) break;
-    numbers.push_back(number);
-  }
-  return line.find_first_not_of(" \t\r", static_cast<std::size_t>(at - line.c_str())) ==
-                 std::string::npos
-             ? numbers
-             : std::vector<double>{};
-}
-
-[[noreturn]] void refuse(const std::string& path, const std::string& line,
-                         const std::string& expected) {
-  constexpr std::size_t shown = 60;
-  throw UnreadableInput(
-      fmt::format("{}: line '{}', expected {}", path, line.substr(0, shown), expected));
-}
-
-/// True for the coordinate format, false for the array format.
-bool is_sparse(const std::string& path, const std::string& header) {
-  std::istringstream words(header);
-  std::string banner, object, format, field;
-  words >> banner >> object >> format >> field;
-  // CHOLMOD calls a matrix of zeros a pattern without entries.
-  const bool known = banner == "%%MatrixMarket" && object == "matrix" &&
-                     (format == "coordinate" || format == "array") &&
-                     (field == "real" || field == "integer" || field == "pattern");
-  if (!known) refuse(path, header, "'%%MatrixMarket matrix coordinate|array real|integer ...'");
-  return format == "coordinate";
-}
-
-/// Compares the size line (rows, columns and, of a sparse matrix, entries) with the limit and with
-/// the length of the file, since CHOLMOD allocates what it says.
-void check_size_line(const std::string& path, const std::string& line, bool sparse,
-                     std::size_t bytes) {
-  const std::vector<double> sizes = numbers_of(line);
-  const auto fits = [](double size) { return size >= 1 && size <= double(largest_rows); };
-  if (sizes.size() != (sparse ? 3 : 2) || !fits(sizes[0]) || !fits(sizes[1]))
-    refuse(path, line,
-           fmt::format("1 ... {} rows and columns{}", largest_rows, sparse ? " and entries" : ""));
-  // A skew-symmetric array stores what is below the diagonal only.
-  const double entries =
-      sparse ? sizes[2] : (sizes[0] * sizes[1] - std::max(sizes[0], sizes[1])) / 2;
-  if (!(entries >= 0 && entries <= static_cast<double>(bytes)))
-    throw UnreadableInput(
-        fmt::format("{}: declares {} entries in a file of {} bytes", path, entries, bytes));
-}
-
-/// Refuses what CHOLMOD would make up numbers for (entries without a value, which it takes for a
-/// pattern) or misread (row and column 0), and sizes that it should not allocate.
-void check_text(const std::string& path, const std::string& text) {
-  std::istringstream lines(text);
-  std::string line;
-  std::getline(lines, line);
-  const bool sparse = is_sparse(path, line);
-  line.clear();
-  next_line(lines, line);
-  check_size_line(path, line, sparse, text.size());
-  while (next_line(lines, line)) {
-    const std::vector<double> numbers = numbers_of(line);
-    if (sparse && (numbers.size() != 3 || numbers[0] < 1 || numbers[1] < 1))
-      refuse(path, line, "row, column (from 1) and value");
-    if (!sparse && numbers.size() != 1) refuse(path, line, "one value");
-  }
-}
-
 MatrixXd from_dense(const cholmod_dense& matrix) {
   return Eigen::Map<const MatrixXd, 0, Eigen::OuterStride<>>(
       static_cast<const double*>(matrix.x), static_cast<Index>(matrix.nrow),
@@ -159,7 +81,7 @@ MatrixXd from_dense(const cholmod_dense& matrix) {
 /// Reads a matrix of any storage, both triangles of it.
 MatrixXd read_matrix(const std::string& path) {
   std::string text = read_text(path);
-  check_text(path, text);
+  check_matrix_market_text(path, text);
   constexpr int both_triangles = 1;
   const File file(fmemopen(text.data(), text.size(), "r"));
   Cholmod cholmod;
@@ -167,7 +89,7 @@ MatrixXd read_matrix(const std::string& path) {
   void* found = cholmod_read_matrix(file.get(), both_triangles, &type, cholmod.common());
   if (found == nullptr)
     throw UnreadableInput(
-        fmt::format("{}: malformed or truncated, expected a Matrix Market file", path));
+        fmt::format("{}: CHOLMOD cannot read it, expected a Matrix Market file", path));
   const auto sparse =
       cholmod.own(type == CHOLMOD_SPARSE ? static_cast<cholmod_sparse*>(found) : nullptr);
   const auto dense = cholmod.own(sparse ? cholmod_sparse_to_dense(sparse.get(), cholmod.common())

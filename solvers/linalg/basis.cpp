@@ -90,13 +90,34 @@ Index Basis::last_left(Variable v) const {
   return -1;
 }
 
+VectorXd Basis::entries_after_leaving(const Eta& eta, const std::vector<Index>& rows) {
+  const double inverse = 1 / eta.column(eta.pivot.row);
+  VectorXd entries = inverse * eta.column(rows);
+  for (std::size_t t = 0; t < rows.size(); ++t)
+    if (rows[t] == eta.pivot.row) entries(static_cast<Index>(t)) = inverse;
+  return entries;
+}
+
+void Basis::factored_entries(Variable v, const std::vector<Index>& rows, VectorXd& out) const {
+  const VectorXd x = kernel_part(v);
+  out.resize(static_cast<Index>(rows.size()));
+  for (Index t = 0; t < out.size(); ++t) {
+    const Variable basic = factored_.basic(rows[t]);
+    if (factored_.is_w(basic)) {
+      const double own = factored_.is_w(v) ? 0 : data_column(v)(basic);
+      out(t) = own + columns_.row(basic).dot(x);
+    } else {
+      const auto place = std::lower_bound(A_rows_.begin(), A_rows_.end(), rows[t]);
+      out(t) = x(place - A_rows_.begin());
+    }
+  }
+}
+
 void Basis::column(Variable v, VectorXd& out) {
   Index next = last_left(v);
   if (next < 0) {
     factored_column(v, out);
   } else {
-    // Just after it left in row r, a variable's column is that of the one that replaced it, divided
-    // by the pivot.
     const Eta& eta = etas_[next];
     const double inverse = 1 / eta.column(eta.pivot.row);
     out = inverse * eta.column;
@@ -112,24 +133,27 @@ void Basis::column(Variable v, VectorXd& out) {
 }
 
 void Basis::entries(Variable v, const std::vector<Index>& rows, VectorXd& out) {
-  if (!etas_.empty()) {
-    VectorXd whole;
-    column(v, whole);
-    out = whole(rows);
-    return;
+  const Index asked = static_cast<Index>(rows.size());
+  const Index pivots = static_cast<Index>(etas_.size());
+  // The rows asked for, then the pivot rows of the etas, on whose entries the others depend.
+  std::vector<Index> followed = rows;
+  for (const Eta& eta : etas_) followed.push_back(eta.pivot.row);
+
+  Index next = last_left(v);
+  if (next < 0) {
+    factored_entries(v, followed, out);
+  } else {
+    out = entries_after_leaving(etas_[next], followed);
   }
-  const VectorXd x = kernel_part(v);
-  out.resize(static_cast<Index>(rows.size()));
-  for (Index t = 0; t < out.size(); ++t) {
-    const Variable basic = factored_.basic(rows[t]);
-    if (factored_.is_w(basic)) {
-      const double own = factored_.is_w(v) ? 0 : data_column(v)(basic);
-      out(t) = own + columns_.row(basic).dot(x);
-    } else {
-      const auto place = std::lower_bound(A_rows_.begin(), A_rows_.end(), rows[t]);
-      out(t) = x(place - A_rows_.begin());
+  for (++next; next < pivots; ++next) {
+    const Eta& eta = etas_[next];
+    const double theta = -out(asked + next) / eta.column(eta.pivot.row);
+    for (Index t = 0; t < asked + pivots; ++t) {
+      const Index row = followed[t];
+      out(t) = row == eta.pivot.row ? theta : out(t) + theta * eta.column(row);
     }
   }
+  out.conservativeResize(asked);
 }
 
 Variable Basis::pivot(const Pivot& pivot, const VectorXd& column) {

@@ -74,6 +74,11 @@ class Basis {
   VectorXd kernel_part(Variable v) const;
   /// Column of `v` in the factorised dictionary.
   void factored_column(Variable v, VectorXd& out) const;
+  /// Its entries in the given rows, one dot product of length k each.
+  void factored_entries(Variable v, const std::vector<Index>& rows, VectorXd& out) const;
+  /// The column of the variable that left by `eta`, just after: that of the one which replaced it,
+  /// divided by the pivot.
+  static VectorXd entries_after_leaving(const Eta& eta, const std::vector<Index>& rows);
   /// First pivot after which `v` was nonbasic for good, or -1 if it was so at the factorisation.
   Index last_left(Variable v) const;
 };

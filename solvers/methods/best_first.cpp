@@ -2,21 +2,19 @@
 //
 // Source    K. Yamane, Y. Nakamura (2008), III, Algorithms 1 and 2.
 // Notation  A node x is one pivot after the path of its ancestors; y_r the driving variable after
-// it,
-//           m' its column, q_min(i) the least element of q' after a pivot in row i; epsilon, e_max
-//           and totalCost as in the paper. Each node has its own basis; goal nodes are those in
-//           which z0 leaves.
+//           it, m' its column, q_min(i) the least element of q' after a pivot in row i; epsilon,
+//           e_max and totalCost as in the paper. Each node has its own basis; goal nodes are those
+//           in which z0 leaves.
 // Cost      A node opened costs one basis change: one LU and two products with n x k doubles on a
 //           factorised basis, n (n + 1) multiply-adds on a tableau, which returning to an abandoned
-//           branch repeats from the root. Candidates cost O(n) each, after O(n) that rules out the
-//           rest. The queue holds (basis, driving variable) of every node generated: n/64 words
-//           each.
+//           branch repeats from where it forked. Candidates cost O(n) each, after O(n) that rules
+//           out the rest. The queue holds (basis, driving variable) of every node generated: n/64
+//           words each.
 // Class     The complementary path of Lemke's algorithm is among those searched (exactly tied rows
-// all
-//           have q_min = 0), so whatever that path solves is solved if the queue may grow; no basis
-//           is opened twice with the same driving variable, so the search ends. In floating point a
-//           branch ends when its basis becomes singular or its error passes e_max, and another is
-//           taken; candidates are lost when epsilon is below the rounding error of q'.
+//           all have q_min = 0), so whatever that path solves is solved if the queue may grow; no
+//           basis is opened twice with the same driving variable, so the search ends. In floating
+//           point a branch ends when its basis becomes singular or its error passes e_max, and
+//           another is taken; candidates are lost when epsilon is below the rounding error of q'.
 // Differs   from lexicographic.cpp: a bad choice among tied rows can be taken back. The cost as
 //           printed, sum of exp(-q_min), is about 1 per pivot where problems are degenerate and
 //           makes the search breadth-first; `best-first-uniform` keeps it for the record, the other

@@ -5,8 +5,7 @@
 // Notation  basic = M' nonbasic + q' (5); y_r driving, y_s blocking variable; m' the column of y_r;
 //           z0 the artificial variable with covering vector c (8).
 // Cost      `lemke`: n (n + 1) multiply-adds a pivot and as many doubles. `lemke-revised`: 2/3 k^3
-// +
-//           2 n k a pivot, n k doubles, for k basic z.
+//           + 2 n k every `refactor_every` pivots, n k + k^2 at each, n k doubles, for k basic z.
 // Class     Ends in a solution or on a ray when no ratio test is tied (non-degenerate); a ray means
 //           that there is no solution for copositive-plus M and never happens for P-matrices. Ties
 //           broken by the lowest row may cycle (Kostreva). In floating point every m'_i that should
@@ -55,7 +54,7 @@ const Registration lemke{
 const Registration lemke_revised{
     {"lemke-revised", "the same rule on a factorised basis, with a pivot tolerance, scaled",
      "revised form of Yamane and Nakamura 2008, II-A"},
-    PivotingOptions{.pivot = 1e-12, .scale = true},
+    PivotingOptions{.pivot = 1e-12, .scale = true, .refactor_every = 16},
     factorised_option_table,
     solve<Basis>};
 

@@ -2,12 +2,11 @@
 //
 // Source    R. Cottle, G. Dantzig (1968); K. Yamane, Y. Nakamura (2008), II-B and V-A; K. Murty
 //           (1988), 2.2.8.
-// Notation  as in lemke.cpp; delta is the paper's Delta. Columns of the basis inverse belong to
-//           w_1 ... w_n: minus their columns of the dictionary, unit vectors where they are basic.
+// Notation  as in lemke.cpp; delta is the paper's Delta. Columns of the basis inverse belong to w_1
+//           ... w_n: minus their columns of the dictionary, unit vectors where they are basic.
 // Cost      as in lemke.cpp, plus the entries of the tied rows for every column looked at.
 // Class     From lexico-positive rows, in exact arithmetic, it ends after finitely many pivots, in
-// a
-//           solution or on a ray, degenerate or not. Step 0 therefore takes the last index among
+//           a solution or on a ray, degenerate or not. Step 0 therefore takes the last index among
 //           tied minimal q_i. Floating-point numbers are never exactly tied, so rows within `delta`
 //           count as tied: too small a delta leaves the choice to rounding, too large a one ties
 //           what differs, and nothing says which delta suits a problem (II-B).
@@ -94,7 +93,7 @@ const Registration lexicographic_pivot{
 const Registration lexicographic_revised{
     {"lexicographic-revised", "the same rule on a factorised basis, with a pivot tolerance, scaled",
      "revised form of Yamane and Nakamura 2008, II-B"},
-    LexicographicOptions{.pivoting = {.pivot = 1e-12, .scale = true}},
+    LexicographicOptions{.pivoting = {.pivot = 1e-12, .scale = true, .refactor_every = 16}},
     revised_options,
     solve<Basis>};
 

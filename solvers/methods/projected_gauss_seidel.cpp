@@ -1,25 +1,25 @@
 // Projected Gauss-Seidel: the iterative baseline, contact by contact where there are contacts.
 //
-// Source    M. Jourdan, P. Alart, M. Jean (1998), "A Gauss-Seidel like algorithm to solve
-// frictional
-//           contact problems"; R. Cottle, J.-S. Pang, R. Stone, The Linear Complementarity Problem,
-//           5.2 (plain form). References [4] and [2] of Yamane and Nakamura (2008).
+// Source    F. Jourdan, P. Alart, M. Jean (1998), "A Gauss-Seidel like algorithm to solve
+//           frictional contact problems"; R. Cottle, J.-S. Pang, R. Stone, The Linear
+//           Complementarity Problem, 5.2 (plain form). References [4] and [2] of Yamane and
+//           Nakamura (2008).
 // Notation  Plain: z_i <- max(0, z_i - w_i / M_ii), rows in order, each with the newest z.
-//           Contacts: f_n <- max(0, f_n - u_n / W_nn), then f_t <- P(f_t - rho u_t) with
-//           u = W f + vbar, rho = 1 / trace(W_tt), and P the Euclidean projection onto the polygon
-//           mu f_n conv{c_m}. The scalar rho is on purpose: with W_tt^-1 as the step the projection
-//           is one in another metric, whose fixed points are not solutions of (25).
+//           Contacts: f_n <- max(0, f_n - u_n / W_nn), then f_t <- P(f_t - rho u_t) with u = W f +
+//           vbar, rho = 1 / trace(W_tt), and P the Euclidean projection onto the polygon mu f_n
+//           conv{c_m}. The scalar rho is on purpose: with W_tt^-1 as the step the projection is one
+//           in another metric, whose fixed points are not solutions of (25).
 // Mapped    lambda = max(0, max_m -c_m'u), b = coefficients of f_t on the two directions next to
-// it. Cost      n^2 multiply-adds a sweep, plain; 9 Nc^2 with contacts, plus m Nc for the
-// projections;
+//           it.
+// Cost      n^2 multiply-adds a sweep, plain; 9 Nc^2 with contacts, plus m Nc for the projections;
 //           every `check_every` sweeps one product with M, n^2. Memory O(n).
 // Class     Plain: converges for symmetric positive definite, strictly diagonally dominant and
 //           H-matrices with positive diagonal. Contacts: no theorem with friction; slow, or never
 //           there, when W is rank-deficient or badly conditioned. A fixed point is a solution.
 //           Rounding only limits the residual that can be reached.
 // Differs   from the pivoting rows: there is no basis, hence no starting basis, and the answer is
-// as
-//           good as `tolerance`. It claims `solved` only by the natural residual of the LCP itself.
+//           as good as `tolerance`. It claims `solved` only by the natural residual of the LCP
+//           itself.
 
 #include <fmt/format.h>
 

@@ -19,7 +19,7 @@ TEST(Suites, NameOnlySolversThatExistAndEachOnce) {
 TEST(Suites, NameOnlyFamiliesThatExist) {
   for (const Suite& suite : suites())
     for (const SuitePart& part : suite.parts)
-      EXPECT_EQ(generate(part.family, {1, 1}).size(), 1u) << part.family;
+      EXPECT_EQ(generate(part.family, {.count = 1}).size(), 1u) << part.family;
 }
 
 TEST(Suites, AreSortedByName) {
@@ -39,7 +39,9 @@ TEST(Suites, UnknownOnesAreRefusedWithTheList) {
     find_suite("nosuch");
     FAIL() << "found";
   } catch (const std::invalid_argument& error) {
-    EXPECT_STREQ(error.what(), "unknown suite 'nosuch', known are: contact, default, small");
+    EXPECT_NE(std::string(error.what()).find("'nosuch', known are: "), std::string::npos);
+    for (const Suite& suite : suites())
+      EXPECT_NE(std::string(error.what()).find(suite.name), std::string::npos) << suite.name;
   }
 }
 

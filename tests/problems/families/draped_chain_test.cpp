@@ -20,9 +20,9 @@ TEST(DrapedChain, HasTwentyFourContactsThatAllInfluenceOneAnother) {
 TEST(DrapedChain, GoesOnFromTheFrameBeforeUntilItIsShakenAgain) {
   const std::vector<Instance> frames = generate("draped-chain:shake_every=2", {.count = 4});
   EXPECT_EQ(frames[0].provenance.at("start"), "seeded sliding and shaking");
-  EXPECT_EQ(frames[1].provenance.at("start"), "forces of draped-chain/0000");
+  EXPECT_EQ(frames[1].provenance.at("start"), "forces of draped-chain:shake_every=2/0000");
   EXPECT_EQ(frames[2].provenance.at("start"), "seeded sliding and shaking");
-  EXPECT_EQ(frames[3].provenance.at("start"), "forces of draped-chain/0002");
+  EXPECT_EQ(frames[3].provenance.at("start"), "forces of draped-chain:shake_every=2/0002");
   EXPECT_EQ(frames[3].provenance.at("fallbacks"), "0");
   // The pose moves too.
   EXPECT_NE(frames[0].problem.friction->W, frames[1].problem.friction->W);
@@ -53,6 +53,14 @@ TEST(DrapedChain, IsSolvedByTheSearch) {
     EXPECT_EQ(to_string(result.claim), "solved") << frame.name;
     EXPECT_LT(cases::natural_residual(frame.problem, result.z), 1e-9) << frame.name;
   }
+}
+
+TEST(DrapedChain, FallsFreelyWhereNoBeadTouchesTheRod) {
+  // Flung off the rod; the first frame still touches.
+  const std::vector<Instance> frames =
+      generate("draped-chain:shake_speed=0,slide_speed=20,shake_every=100", {.count = 60});
+  EXPECT_GT(frames.front().problem.size(), 0);
+  EXPECT_EQ(frames.back().problem.size(), 0);
 }
 
 TEST(DrapedChain, RefusesAChainThatCannotLieOnARod) {

@@ -104,23 +104,28 @@ TEST_F(MatrixMarket, ReportsMalformedContent) {
     return complaint();
   };
   const std::string header = "%%MatrixMarket matrix coordinate real general\n";
-  const std::string malformed = "x.M.mtx: malformed or truncated, expected a Matrix Market file";
-  EXPECT_EQ(complaint_about(header + "2 2 3\n1 1 1\n2 1 5\n"), malformed);
-  EXPECT_EQ(complaint_about(header + "2 2 1\n3 1 1\n"), malformed);
-  for (const std::string entry : {"1 1 one", "1 1", "0 0 1", "1 1 1 1"})
+  EXPECT_EQ(complaint_about(header + "2 2 3\n1 1 1\n2 1 5\n"),
+            "x.M.mtx: holds 2 entries, expected 3");
+  EXPECT_EQ(complaint_about("%%MatrixMarket matrix array real symmetric\n2 2\n1\n2\n"),
+            "x.M.mtx: holds 2 entries, expected 3");
+  for (const std::string entry :
+       {"1 1 one", "1 1", "0 0 1", "1.5 1 1", "3 1 1", "1 3 1", "1 1 1 1"})
     EXPECT_EQ(complaint_about(header + "2 2 1\n" + entry + "\n"),
-              "x.M.mtx: line '" + entry + "', expected row, column (from 1) and value");
+              "x.M.mtx: line '" + entry + "', expected row 1 ... 2, column 1 ... 2 and value");
   EXPECT_EQ(complaint_about("%%MatrixMarket matrix coordinate pattern general\n2 2 1\n1 1\n"),
-            "x.M.mtx: line '1 1', expected row, column (from 1) and value");
+            "x.M.mtx: line '1 1', expected row 1 ... 2, column 1 ... 2 and value");
   EXPECT_EQ(complaint_about("%%MatrixMarket matrix array real general\n2 2\n1 2\n3 4\n"),
             "x.M.mtx: line '1 2', expected one value");
   for (const std::string first : {"hello", "%%MatrixMarket vector array real general",
                                   "%%MatrixMarket matrix array complex general"})
     EXPECT_EQ(complaint_about(first + "\n2 2 1\n1 1 1\n"),
               "x.M.mtx: line '" + first +
-                  "', expected '%%MatrixMarket matrix coordinate|array real|integer ...'");
+                  "', expected '%%MatrixMarket matrix coordinate|array real|integer "
+                  "general|symmetric|skew-symmetric'");
   EXPECT_EQ(complaint_about(header),
             "x.M.mtx: line '', expected 1 ... 16384 rows and columns and entries");
+  EXPECT_EQ(complaint_about(header + "%" + std::string(1029, 'x') + "2 2 1\n2 2 1\n1 1 1\n"),
+            "x.M.mtx: line '%" + std::string(59, 'x') + "', expected at most 1000 bytes in a line");
   EXPECT_EQ(complaint_about(header + "2 3 1\n1 1 1\n"),
             "x.M.mtx: M is 2 x 3, expected a square matrix");
   EXPECT_EQ(complaint_about(header + "3 3 1\n1 1 1\n"), "x.q.mtx: q is 2 x 1, expected 3 x 1");
@@ -136,7 +141,7 @@ TEST_F(MatrixMarket, AllocatesNothingForSizesBeyondTheFile) {
   files::put(M, "%%MatrixMarket matrix coordinate real general\n9 9 2000000000\n1 1 1\n");
   EXPECT_EQ(complaint(), "x.M.mtx: declares 2000000000 entries in a file of 67 bytes");
   files::put(M, "%%MatrixMarket matrix array real general\n16000 16000\n1\n");
-  EXPECT_EQ(complaint(), "x.M.mtx: declares 127992000 entries in a file of 55 bytes");
+  EXPECT_EQ(complaint(), "x.M.mtx: declares 256000000 entries in a file of 55 bytes");
 }
 
 }  // namespace
