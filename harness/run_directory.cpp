@@ -67,19 +67,22 @@ std::vector<Record> read_run(const std::filesystem::path& directory) {
   }
 }
 
-Table write_results(const std::filesystem::path& directory) {
-  const std::vector<Record> records = read_run(directory);
-  const Table table = make_table(records);
+Table write_tables(const std::filesystem::path& directory) {
+  const Table table = make_table(read_run(directory));
   const auto write = [&](const char* name, TableFormat format) {
     replace_file((directory / name).string(), render(table, format));
   };
   write("table.txt", TableFormat::text);
   write("table.csv", TableFormat::csv);
   write("table.json", TableFormat::json);
+  return table;
+}
+
+void write_chart(const std::filesystem::path& directory) {
+  const std::vector<Record> records = read_run(directory);
   const std::vector<ChartPoint> points = chart_points(records);
   if (std::any_of(points.begin(), points.end(), [](const ChartPoint& p) { return p.counted > 0; }))
-    draw_chart(points, table.tolerance, directory / "chart.svg");
-  return table;
+    draw_chart(points, records.front().tolerance, directory / "chart.svg");
 }
 
 }  // namespace lcp

@@ -20,9 +20,12 @@ std::size_t run_into(const std::filesystem::path& directory, RunPlan plan,
 /// Rows of a run directory. Throws UnreadableInput where they are missing or malformed.
 std::vector<Record> read_run(const std::filesystem::path& directory);
 
-/// Writes table.txt, table.csv and table.json, and, when anything counts in it, the chart of time
-/// against accuracy (chart.svg, .gp, .dat) from the rows of a run directory, and returns the table.
-/// Throws UnreadableInput and UnwritableOutput.
-Table write_results(const std::filesystem::path& directory);
+/// Writes table.txt, table.csv and table.json from the rows of a run directory, and returns the
+/// table. Throws UnreadableInput and UnwritableOutput.
+Table write_tables(const std::filesystem::path& directory);
+
+/// Draws the chart of time against accuracy (chart.svg, .gp, .dat) from the rows of a run directory,
+/// unless nothing counts in them. Throws as write_tables and draw_chart do.
+void write_chart(const std::filesystem::path& directory);
 
 }  // namespace lcp

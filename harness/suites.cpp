@@ -76,7 +76,7 @@ const std::vector<Suite>& suites() {
        {{.family = "published"}, {.family = "squat-like"}, {.family = "draped-chain"}},
        own_solvers()},
       {"eight-cells",
-       "pivot tolerance, arithmetic and search, each on and off, on contacts few and many",
+       "pivot tolerance, arithmetic and search, each on and off; needs --max-contacts 64",
        {{.family = "draped-chain"},
         {.family = "squat-like"},
         {.family = "squat-like:contacts=64", .count = 60}},

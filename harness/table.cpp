@@ -156,17 +156,14 @@ std::map<std::string, std::string> labels(const std::vector<Record>& records) {
   std::map<std::string, std::string> labels;
   for (const Record& record : records) {
     if (labels.count(record.solver) > 0) continue;
-    std::string label = record.solver;
+    std::map<std::string, std::string> settings;
+    for (const auto& [option, value] : record.options.items())
+      if (values[record.row][option].size() > 1) settings[option] = option_text(value);
     const Spelling spelling = parse_spelling(record.solver);
-    char separator = spelling.settings.empty() ? ':' : ',';
-    for (const auto& [option, value] : record.options.items()) {
-      const bool spelled =
-          std::any_of(spelling.settings.begin(), spelling.settings.end(),
-                      [&key = option](const auto& setting) { return setting.first == key; });
-      if (spelled || values[record.row][option].size() < 2) continue;
-      label += fmt::format("{}{}={}", separator, option, option_text(value));
-      separator = ',';
-    }
+    settings.insert(spelling.settings.begin(), spelling.settings.end());
+    std::string label = spelling.name;
+    for (const auto& [option, value] : settings)
+      label += fmt::format("{}{}={}", label == spelling.name ? ':' : ',', option, value);
     labels.emplace(record.solver, label);
   }
   return labels;

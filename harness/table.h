@@ -63,7 +63,8 @@ enum class TableFormat { text, csv, json, latex };
 std::string render(const Table& table, TableFormat format);
 
 /// What a reader calls each solver among `records`, by full spelling: the spelling, with the options
-/// in which several settings of one registry row differ written out where they have their default.
+/// in which several settings of one registry row differ written out where they have their default,
+/// all in alphabetical order.
 std::map<std::string, std::string> labels(const std::vector<Record>& records);
 
 }  // namespace lcp

@@ -120,6 +120,7 @@ std::string corpus_heading(const std::vector<TableRow>& block) {
 }
 
 constexpr std::size_t name_width = 34;  ///< Longer names stand on a line of their own.
+constexpr std::size_t least_name_width = 4;
 constexpr int count_width = 6;
 constexpr int number_width = 7;
 
@@ -134,7 +135,7 @@ std::string text(const Table& table) {
     });
     if (quantity.always || any) shown.push_back(quantity);
   }
-  std::size_t width = 0;
+  std::size_t width = least_name_width;
   for (const TableRow& row : table.rows)
     if (row.label.size() <= name_width) width = std::max(width, row.label.size());
 
@@ -204,13 +205,13 @@ std::string quoted(const std::string& value) {
 
 std::string csv(const Table& table) {
   std::string out = "solver,corpus,mode";
-  each_quantity([&](const Quantity& quantity) { out += "," + quantity.key; });
+  each_quantity([&](const Quantity& quantity) { out += fmt::format(",{}", quantity.key); });
   out += ",tolerance,jobs\n";
   for (const TableRow& row : table.rows) {
     out += fmt::format("{},{},corpus", quoted(row.solver), quoted(row.corpus));
     each_quantity([&](const Quantity& quantity) {
       const std::optional<double> value = quantity.value(row);
-      out += "," + (value ? shortest(*value) : std::string());
+      out += fmt::format(",{}", value ? shortest(*value) : "");
     });
     out += fmt::format(",{},{}\n", table.tolerance, table.jobs);
   }

@@ -10,7 +10,6 @@
 #include <vector>
 
 #include "harness/cli/verbs.h"
-#include "harness/reproducible.h"
 #include "problems/io/errors.h"
 
 namespace lcp::cli {
@@ -29,12 +28,16 @@ std::string allowed_options(const CLI::App& page) {
   return fmt::format("{}", fmt::join(names, ", "));
 }
 
-/// Results that did not reach a full disk or a closed pipe are an error, not a success.
-int flushed(int status, const std::string& who) {
-  if (std::fflush(stdout) == 0 && std::ferror(stdout) == 0) return status;
+int complain_of_output(const std::string& who) {
   return complain(
       who, fmt::format("standard output: cannot write: {}", std::generic_category().message(errno)),
       unwritable_output);
+}
+
+/// Results that did not reach a full disk are an error, not a success.
+int flushed(int status, const std::string& who) {
+  const bool written = std::fflush(stdout) == 0 && std::ferror(stdout) == 0;
+  return written ? status : complain_of_output(who);
 }
 
 int act(const Verb& verb, const std::string& who) {
@@ -47,6 +50,7 @@ int act(const Verb& verb, const std::string& who) {
   } catch (const UnwritableOutput& error) {
     return complain(who, error.what(), unwritable_output);
   } catch (const std::exception& error) {
+    if (std::ferror(stdout) != 0) return complain_of_output(who);
     return complain(who, error.what(), system_failure);
   }
 }
@@ -98,7 +102,4 @@ int run_program(int argc, char** argv) {
 }  // namespace
 }  // namespace lcp::cli
 
-int main(int argc, char** argv) {
-  lcp::fix_product_blocking();
-  return lcp::cli::run_program(argc, argv);
-}
+int main(int argc, char** argv) { return lcp::cli::run_program(argc, argv); }

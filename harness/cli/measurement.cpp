@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <cstdio>
 #include <iterator>
 
 #include "harness/cli/interrupt.h"
@@ -110,7 +111,9 @@ int measure(const Measurement& measurement, std::vector<NamedSolver> solvers,
                rows, plan.instances.size() * plan.solvers.size(), out, out);
     return interrupted_by_user;
   }
-  fmt::print("{}", render(write_results(out), TableFormat::text));
+  fmt::print("{}", render(write_tables(out), TableFormat::text));
+  std::fflush(stdout);  // the table stands, whatever becomes of the chart
+  write_chart(out);
   fmt::print(stderr, "rows, table, chart and environment are in {}\n", out);
   return done;
 }

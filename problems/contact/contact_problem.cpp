@@ -53,6 +53,14 @@ MatrixXd contact_axes(const std::vector<Contact>& contacts) {
   return axes;
 }
 
+MatrixXd delassus_matrix(const MatrixXd& A, double dt) {
+  MatrixXd W = MatrixXd::Zero(A.cols(), A.cols());
+  if (W.size() == 0) return W;  // rankUpdate reads the first entry
+  W.selfadjointView<Eigen::Lower>().rankUpdate(A.transpose(), dt);
+  W.triangularView<Eigen::StrictlyUpper>() = W.transpose();
+  return W;
+}
+
 void check(const ContactProblem& problem, const std::string& where) {
   const Index contacts = problem.size();
   if (problem.W.rows() != 3 * contacts || problem.W.cols() != 3 * contacts)

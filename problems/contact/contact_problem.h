@@ -51,6 +51,10 @@ Contact make_contact(const Eigen::Vector3d& normal, const Eigen::Vector3d& along
 /// Axes of all contacts as rows, 3 Nc x 3: row 3i + k holds axis k of contact i in the world.
 MatrixXd contact_axes(const std::vector<Contact>& contacts);
 
+/// W = dt A'A, symmetric to the last bit, for A = M^-1/2 J' (degrees of freedom x 3 Nc) of bodies
+/// with mass matrix M and contact velocities J nu.
+MatrixXd delassus_matrix(const MatrixXd& A, double dt);
+
 /// Throws std::invalid_argument, naming the field, unless shapes agree, numbers are finite, W is
 /// symmetric to 1e-9 of its largest entry, mu >= 0 and dt > 0. `where` begins the message.
 void check(const ContactProblem& problem, const std::string& where);

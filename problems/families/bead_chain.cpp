@@ -138,9 +138,7 @@ ChainStep::ChainStep(const BeadChain& chain, const FixedRod& rod, double dt) {
 
   const JointProjection project(chain);
   const MatrixXd A = project(times_inertia(chain, -0.5, J_.transpose()));
-  problem_.W = MatrixXd::Zero(axes.rows(), axes.rows());
-  problem_.W.selfadjointView<Eigen::Lower>().rankUpdate(A.transpose(), dt);
-  problem_.W.triangularView<Eigen::StrictlyUpper>() = problem_.W.transpose();
+  problem_.W = delassus_matrix(A, dt);
   response_ = dt * times_inertia(chain, -0.5, A);
   nu_free_ = times_inertia(chain, -0.5, project(times_inertia(chain, 0.5, fall(chain, dt))));
 

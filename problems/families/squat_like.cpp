@@ -114,9 +114,7 @@ class Squat {
       A.col(row) << axis / std::sqrt(knobs_.mass),
           (points_[row / 3] - r).cross(axis).cwiseQuotient(inertia_.cwiseSqrt());
     }
-    problem.W = MatrixXd::Zero(axes.rows(), axes.rows());
-    problem.W.selfadjointView<Eigen::Lower>().rankUpdate(A.transpose(), knobs_.dt);
-    problem.W.triangularView<Eigen::StrictlyUpper>() = problem.W.transpose();
+    problem.W = delassus_matrix(A, knobs_.dt);
     problem.v_before = velocities(axes, momentum_, time - knobs_.dt);
     problem.vbar = velocities(axes, momentum_ + knobs_.dt * knobs_.mass * gravity(), time);
     return problem;

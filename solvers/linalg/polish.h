@@ -10,8 +10,4 @@ namespace lcp {
 /// natural residual is smaller. The basis is not changed. Returns the factorisations done (0 or 1).
 Index polish(const Problem& problem, const ScaledProblem& scaled, Result& result);
 
-/// max_i |min(z_i / s_z,i, w_i / s_w,i)| with w = M z + q in double: the natural residual as far as
-/// double precision shows it. Infinite if anything is not finite.
-double natural_residual(const Problem& problem, const VectorXd& z, VectorXd& w);
-
 }  // namespace lcp

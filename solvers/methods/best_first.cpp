@@ -283,7 +283,9 @@ class Search {
     work_.largest_queue = std::max(work_.largest_queue, static_cast<Index>(queue_.size()));
   }
 
-  /// Brings the dictionary to node x; false if the branch ends here for want of accuracy.
+  /// Brings the dictionary to node x; false if the branch ends here for want of accuracy. q_min is
+  /// checked again: a nearly singular pivot can pass on its parent's numbers, leave no error in
+  /// w - M z - q, and yet have a q' far below zero once its basis is factorised.
   bool open(Index x) {
     const Node& node = nodes_[x];
     if (node.parent == opened_) {
@@ -297,7 +299,8 @@ class Search {
     if (call_.observer)
       call_.observer({x + 1, node.parent + 1, node.pivot.row, node.pivot.entering, node.leaving,
                       node.ratio, node.pivot_size, node.siblings, &labels().basic()});
-    return dictionary_.usable() && dictionary_.error() <= options_.e_max;
+    return dictionary_.usable() && dictionary_.error() <= options_.e_max &&
+           dictionary_.q().minCoeff() > -options_.epsilon;
   }
 
   std::vector<Pivot> path_to(Index x) const {

@@ -26,6 +26,7 @@
 #include <cmath>
 #include <limits>
 
+#include "solvers/linalg/natural_residual.h"
 #include "solvers/registry.h"
 
 namespace lcp {
@@ -51,16 +52,6 @@ OptionTable option_table(GaussSeidelOptions& options) {
 
 /// max(0, x), but a NaN stays one, so that it is seen.
 double positive_part(double x) { return x < 0 ? 0 : x; }
-
-/// max_i |min(z_i / s_z,i, w_i / s_w,i)|, w = M z + q; infinite where a number is not finite.
-double natural_residual(const Problem& problem, const VectorXd& z) {
-  if (problem.size() == 0) return 0;
-  const VectorXd w = problem.M * z + problem.q;
-  if (!z.allFinite() || !w.allFinite()) return std::numeric_limits<double>::infinity();
-  return z.cwiseQuotient(problem.s_z)
-      .cwiseMin(w.cwiseQuotient(problem.s_w))
-      .lpNorm<Eigen::Infinity>();
-}
 
 double cross(const Vector2d& a, const Vector2d& b) { return a.x() * b.y() - a.y() * b.x(); }
 
@@ -223,15 +214,17 @@ Result iterate(const Problem& problem, const GaussSeidelOptions& options) {
     return result;
   }
   Iteration iteration(problem);
+  VectorXd w;
   while (true) {
     const VectorXd z = iteration.z();
-    const double residual = natural_residual(problem, z);
+    const double residual = natural_residual(problem, z, w);
     if (!std::isfinite(residual)) {
       result.claim = Claim::singular;
       result.message = "the iterates grew beyond finite numbers";
       return result;
     }
     result.z = z;
+    result.w = w;
     if (residual <= options.tolerance) {
       result.claim = Claim::solved;
       return result;

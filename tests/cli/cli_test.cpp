@@ -112,6 +112,22 @@ TEST_F(Cli, OutputThatCannotBeWrittenIsStatusFour) {
                    {"in-the-way/run"});
 }
 
+TEST_F(Cli, AFullDiskUnderTheResultsIsStatusFour) {
+  const Ran ran = run_program("/bin/sh", {"-c", LCPBENCH " list solvers >/dev/full"}, file("."));
+  EXPECT_EQ(ran.status, 4);
+  EXPECT_EQ(ran.err.rfind("lcpbench list: standard output: cannot write: ", 0), 0u) << ran.err;
+}
+
+TEST_F(Cli, WithoutGnuplotTheTableStillComesAndTheChartIsStatusFour) {
+  const Ran ran = run_program(
+      "/bin/sh", {"-c", "PATH=/nowhere " LCPBENCH " run --suite small --limit 1 --out r"},
+      file("."));
+  EXPECT_EQ(ran.status, 4);
+  EXPECT_EQ(ran.out, read_text(file("r/table.txt")));
+  EXPECT_NE(ran.out, "");
+  EXPECT_NE(ran.err.find("gnuplot-nox"), std::string::npos) << ran.err;
+}
+
 TEST_F(Cli, ListsTellWhatThereIs) {
   const Json solvers = Json::parse(run({"list", "solvers", "--json"}).out).at("solvers");
   const auto named = [](const Json& list, const std::string& name) {

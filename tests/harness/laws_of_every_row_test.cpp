@@ -5,7 +5,6 @@
 #include <ostream>
 
 #include "harness/laws.h"
-#include "harness/reproducible.h"
 
 namespace lcp {
 
@@ -19,7 +18,6 @@ using Case = std::tuple<Row, Law>;
 class EveryRow : public testing::TestWithParam<Case> {};
 
 TEST_P(EveryRow, ObeysTheLaw) {
-  fix_product_blocking();
   const auto& [row, law] = GetParam();
   const LawOutcome outcome = check(law, make_solver(row.info.name));
   if (outcome.status == LawOutcome::Status::not_applicable) GTEST_SKIP() << outcome.detail;

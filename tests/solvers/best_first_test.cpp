@@ -1,6 +1,6 @@
 #include <gtest/gtest.h>
 
-#include "solvers/linalg/polish.h"
+#include "solvers/linalg/natural_residual.h"
 #include "solvers/registry.h"
 #include "tests/solvers/cases.h"
 

@@ -31,6 +31,15 @@ TEST(ContactProblem, AxesAreRowsWithTheNormalFirst) {
   EXPECT_EQ(axes, expected);
 }
 
+TEST(ContactProblem, DelassusMatrixIsSymmetricToTheLastBit) {
+  cases::Uniform uniform(1);
+  const MatrixXd A = MatrixXd::NullaryExpr(6, 9, [&uniform] { return uniform(); });
+  const MatrixXd W = delassus_matrix(A, 0.5);
+  EXPECT_LT((W - 0.5 * A.transpose() * A).cwiseAbs().maxCoeff(), 1e-15);
+  EXPECT_EQ(W, W.transpose().eval());
+  EXPECT_EQ(delassus_matrix(MatrixXd(6, 0), 0.5).size(), 0);
+}
+
 /// The message of what check() refuses, or "accepted".
 std::string verdict(const ContactProblem& problem) {
   try {
