@@ -3,7 +3,8 @@
 #include <ostream>
 #include <random>
 
-#include "solvers/result.h"
+#include "solvers/linalg/natural_residual.h"
+#include "solvers/registry.h"
 
 namespace lcp {
 inline void PrintTo(Claim claim, std::ostream* out) { *out << to_string(claim); }
@@ -18,6 +19,16 @@ inline Problem plain(const MatrixXd& M, const VectorXd& q) {
   problem.q = q;
   set_plain_scales(problem);
   return problem;
+}
+
+inline Result solve(const std::string& solver, const Problem& problem, const Call& call = {}) {
+  return make_solver(solver).solver->solve(problem, call);
+}
+
+/// The natural residual of an answer, in double.
+inline double residual(const Problem& problem, const Result& result) {
+  VectorXd w;
+  return natural_residual(problem, result.z, w);
 }
 
 /// Cycles under the lowest-index rule (Kostreva 1979; also in drake's and QuantEcon's tests).

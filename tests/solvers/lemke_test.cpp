@@ -1,20 +1,13 @@
 #include <gtest/gtest.h>
 
-#include "solvers/linalg/natural_residual.h"
 #include "solvers/registry.h"
 #include "tests/solvers/cases.h"
 
 namespace lcp {
 namespace {
 
-Result solve(const std::string& solver, const Problem& problem, const Call& call = {}) {
-  return make_solver(solver).solver->solve(problem, call);
-}
-
-double residual(const Problem& problem, const Result& result) {
-  VectorXd w;
-  return natural_residual(problem, result.z, w);
-}
+using cases::residual;
+using cases::solve;
 
 TEST(Lemke, SolvesAHandExampleInFivePivots) {
   for (const std::string row : {"lemke", "lexicographic", "lemke-revised", "best-first"}) {
