@@ -9,8 +9,8 @@
 
 #include "problems/io/child_process.h"
 #include "problems/io/errors.h"
-#include "problems/io/hdf5_corpus.h"
-#include "problems/io/matrix_market.h"
+#include "problems/io/hdf5/corpus.h"
+#include "problems/io/text/matrix_market.h"
 
 namespace lcp {
 

@@ -1,4 +1,4 @@
-#include "problems/io/hdf5_corpus.h"
+#include "problems/io/hdf5/corpus.h"
 
 #include <H5Cpp.h>
 #include <gtest/gtest.h>

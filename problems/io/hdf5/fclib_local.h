@@ -1,6 +1,6 @@
 #pragma once
 
-#include "problems/io/hdf5_values.h"
+#include "problems/io/hdf5/values.h"
 
 namespace lcp {
 

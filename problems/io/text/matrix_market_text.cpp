@@ -1,4 +1,4 @@
-#include "problems/io/matrix_market_text.h"
+#include "problems/io/text/matrix_market_text.h"
 
 #include <fmt/format.h>
 

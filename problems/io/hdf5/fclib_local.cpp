@@ -1,4 +1,4 @@
-#include "problems/io/fclib_local.h"
+#include "problems/io/hdf5/fclib_local.h"
 
 #include <fmt/format.h>
 

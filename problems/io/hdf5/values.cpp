@@ -1,4 +1,4 @@
-#include "problems/io/hdf5_values.h"
+#include "problems/io/hdf5/values.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>

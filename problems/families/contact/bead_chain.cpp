@@ -1,4 +1,4 @@
-#include "problems/families/bead_chain.h"
+#include "problems/families/contact/bead_chain.h"
 
 #include <Eigen/Geometry>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "problems/io/matrix_market.h"
+#include "problems/io/text/matrix_market.h"
 
 #include <cholmod.h>
 #include <fmt/format.h>
@@ -13,7 +13,7 @@
 #include <string_view>
 
 #include "problems/io/errors.h"
-#include "problems/io/matrix_market_text.h"
+#include "problems/io/text/matrix_market_text.h"
 #include "problems/io/replace_file.h"
 
 namespace lcp {

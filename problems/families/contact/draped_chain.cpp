@@ -23,7 +23,7 @@
 #include <stdexcept>
 
 #include "problems/contact/frame_series.h"
-#include "problems/families/bead_chain.h"
+#include "problems/families/contact/bead_chain.h"
 #include "problems/registry.h"
 
 namespace lcp {

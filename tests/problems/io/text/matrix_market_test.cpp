@@ -1,4 +1,4 @@
-#include "problems/io/matrix_market.h"
+#include "problems/io/text/matrix_market.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "problems/io/hdf5_corpus.h"
+#include "problems/io/hdf5/corpus.h"
 
 #include <fmt/format.h>
 
@@ -7,8 +7,8 @@
 
 #include "problems/features.h"
 #include "problems/io/errors.h"
-#include "problems/io/fclib_local.h"
-#include "problems/io/hdf5_values.h"
+#include "problems/io/hdf5/fclib_local.h"
+#include "problems/io/hdf5/values.h"
 #include "problems/io/limits.h"
 #include "problems/io/replace_file.h"
 
