@@ -3,7 +3,7 @@
 #include <chrono>
 #include <string>
 
-#include "harness/runner.h"
+#include "harness/measure/runner.h"
 
 namespace lcp {
 

@@ -9,7 +9,7 @@
 #include "harness/cli/quantity.h"
 #include "harness/cli/verbs.h"
 #include "harness/progress.h"
-#include "harness/run_directory.h"
+#include "harness/runs/run_directory.h"
 #include "harness/suites.h"
 #include "problems/io/load.h"
 

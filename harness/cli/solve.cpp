@@ -1,4 +1,4 @@
-#include "harness/solve.h"
+#include "harness/measure/solve.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -8,7 +8,7 @@
 
 #include "harness/cli/verbs.h"
 #include "harness/judge.h"
-#include "harness/record.h"
+#include "harness/runs/record.h"
 #include "harness/trace.h"
 #include "problems/io/load.h"
 

@@ -1,4 +1,4 @@
-#include "harness/table.h"
+#include "harness/tables/table.h"
 
 #include <fmt/format.h>
 
@@ -6,7 +6,7 @@
 #include <memory>
 
 #include "harness/cli/verbs.h"
-#include "harness/run_directory.h"
+#include "harness/runs/run_directory.h"
 
 namespace lcp::cli {
 

@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "harness/record.h"
+#include "harness/runs/record.h"
 
 namespace lcp {
 

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "harness/law_problems.h"
+#include "harness/laws/law_problems.h"
 #include "solvers/registry.h"
 
 namespace lcp {

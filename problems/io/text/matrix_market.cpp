@@ -13,8 +13,8 @@
 #include <string_view>
 
 #include "problems/io/errors.h"
-#include "problems/io/text/matrix_market_text.h"
 #include "problems/io/replace_file.h"
+#include "problems/io/text/matrix_market_text.h"
 
 namespace lcp {
 

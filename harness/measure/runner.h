@@ -1,0 +1,57 @@
+#pragma once
+
+#include <atomic>
+#include <chrono>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "harness/runs/record.h"
+#include "solvers/registry.h"
+
+namespace lcp {
+
+/// What is run, and how far a pair (instance, solver) may go.
+struct RunPlan {
+  std::vector<Instance> instances;
+  std::vector<NamedSolver> solvers;
+  double tolerance = 1e-6;                                      ///< Dimensionless, for the judge.
+  std::chrono::nanoseconds timeout = std::chrono::seconds(10);  ///< Of one solve.
+  /// Resident memory of a worker above what it held when it was started.
+  std::int64_t memory_bytes = std::int64_t{2} << 30;
+  int jobs = 1;             ///< Instances worked on, and so solves running, at the same time.
+  Index max_contacts = 60;  ///< Instances above get `not-run` rows.
+  int max_samples = 9;      ///< Timed repetitions of a solved pair.
+  double spread = 0.05;  ///< Repetitions stop when the quartiles are this close, over the median.
+  std::string environment;  ///< Id of env.json.
+};
+
+struct Progress {
+  std::size_t done = 0;  ///< Pairs finished.
+  std::size_t total = 0;
+  std::string at;  ///< Instance being worked on.
+};
+
+/// Runs every pair, each in a worker process of its own, and hands over each finished record.
+/// Records of one instance arrive together, in solver order; instances arrive in the order of the
+/// plan with jobs = 1, else in the order of completion. Judging, splitting into islands, checks and
+/// I/O stay outside the clock.
+///
+/// Solvers are interleaved: one repetition of each before the next repetition of any, so that drift
+/// of the machine hits all alike. The first run of a pair decides its verdict. Where that is
+/// `solved`, it was the warm-up, and timed repetitions follow until the spread is small (3 at least)
+/// or there are max_samples; a first run longer than 1 s, or with max_samples = 1, is itself the
+/// only sample. A pair that fails has one sample, the time of the run that failed, and is not run
+/// again. Same input, same bits is part of what a solver promises: one whose later answer differs
+/// from its first in any field is `wrong`, and the message says why.
+///
+/// When `interrupted` becomes true the workers are killed and the function returns; instances in
+/// progress are given up, records handed over before stand. Exceptions of `finished` and `progress`
+/// (a full disk) kill the workers and pass through. Throws std::invalid_argument on a plan whose
+/// limits are not positive or whose instances are malformed, std::system_error when the system
+/// refuses a worker.
+void run(const RunPlan& plan, const std::function<void(const Record&)>& finished,
+         const std::function<void(const Progress&)>& progress,
+         const std::atomic<bool>& interrupted);
+
+}  // namespace lcp

@@ -1,0 +1,246 @@
+#include "harness/measure/worker.h"
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <sys/prctl.h>
+#include <sys/resource.h>
+#include <sys/socket.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <array>
+#include <cerrno>
+#include <climits>
+#include <csignal>
+#include <cstdio>
+#include <cstring>
+#include <fstream>
+#include <system_error>
+
+#include "harness/measure/wire.h"
+
+namespace lcp {
+
+namespace {
+
+using std::chrono::nanoseconds;
+
+constexpr std::size_t output_kept = 400;                   // Bytes.
+constexpr std::size_t pipe_capacity = 65536;               // Bytes, the system's default.
+constexpr auto look_every = std::chrono::milliseconds(5);  // At resident memory.
+constexpr int worker_socket = 3;  // In the child, beside stdin, stdout and stderr.
+
+/// What a worker sends ahead of the bytes of a result, or of the text of an exception.
+struct Header {
+  std::uint64_t size;
+  std::int64_t time_ns;
+  bool threw;
+};
+
+/// Resident memory of a process in bytes; 0 when it is gone.
+std::int64_t resident_bytes(pid_t pid) {
+  std::ifstream file(fmt::format("/proc/{}/statm", pid));
+  std::int64_t total = 0, resident = 0;
+  file >> total >> resident;
+  return resident * sysconf(_SC_PAGESIZE);
+}
+
+[[noreturn]] void throw_errno(const char* what) {
+  throw std::system_error(errno, std::generic_category(), what);
+}
+
+/// Ends the child when the parent is no longer there to hear it.
+void send_all(const void* bytes, std::size_t size) {
+  const char* next = static_cast<const char*>(bytes);
+  while (size > 0) {
+    const ssize_t sent = send(worker_socket, next, size, MSG_NOSIGNAL);
+    if (sent < 0 && errno == EINTR) continue;
+    if (sent < 0) _exit(EXIT_FAILURE);
+    next += sent;
+    size -= static_cast<std::size_t>(sent);
+  }
+}
+
+/// Makes the forked process a worker: own group, dies with its parent, no file open but `socket`
+/// and its own standard streams.
+void isolate(pid_t parent, int socket, int output) {
+  setpgid(0, 0);
+  prctl(PR_SET_PDEATHSIG, SIGKILL);
+  if (getppid() != parent) _exit(EXIT_FAILURE);
+  const rlimit no_core{0, 0};  // Writing one would count as time to failure.
+  setrlimit(RLIMIT_CORE, &no_core);
+  std::signal(SIGINT, SIG_DFL);
+  std::signal(SIGTERM, SIG_DFL);
+  // First out of the way of 0 ... 3, of which some are free when the parent has closed its own.
+  const int high_socket = fcntl(socket, F_DUPFD, worker_socket + 1);
+  const int high_output = fcntl(output, F_DUPFD, worker_socket + 1);
+  const int nothing = fcntl(open("/dev/null", O_RDONLY), F_DUPFD, worker_socket + 1);
+  dup2(nothing, STDIN_FILENO);
+  dup2(high_output, STDOUT_FILENO);
+  dup2(high_output, STDERR_FILENO);
+  dup2(high_socket, worker_socket);
+  close_range(worker_socket + 1, UINT_MAX, 0);
+}
+
+/// One solve per byte that arrives, until the parent hangs up.
+[[noreturn]] void serve(const std::function<Result()>& solve) {
+  char go;
+  while (recv(worker_socket, &go, 1, 0) == 1) {
+    Result result;
+    std::string exception;
+    bool threw = true;
+    const auto begin = std::chrono::steady_clock::now();
+    try {
+      result = solve();
+      threw = false;
+    } catch (const std::exception& error) {
+      exception = error.what();
+    } catch (...) {
+      exception = "not a std::exception";
+    }
+    const nanoseconds time = std::chrono::steady_clock::now() - begin;
+    std::fflush(nullptr);
+    const std::string bytes = threw ? exception : encode(result);
+    const Header header{bytes.size(), time.count(), threw};
+    send_all(&header, sizeof header);
+    send_all(bytes.data(), bytes.size());
+  }
+  _exit(EXIT_SUCCESS);  // Neither destructors nor buffers of the parent's are this process's.
+}
+
+}  // namespace
+
+Worker::Worker(const std::function<Result()>& solve, const Limits& limits) : limits_(limits) {
+  int sockets[2], pipes[2];
+  if (socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, sockets) != 0) throw_errno("socketpair");
+  socket_ = FileDescriptor(sockets[0]);
+  const FileDescriptor child_socket(sockets[1]);
+  if (pipe2(pipes, O_CLOEXEC | O_NONBLOCK) != 0) throw_errno("pipe");
+  output_ = FileDescriptor(pipes[0]);
+  const FileDescriptor child_output(pipes[1]);
+  fcntl(child_output.get(), F_SETFL, 0);  // The child's end waits when the pipe is full.
+
+  std::fflush(nullptr);  // What is buffered now would otherwise be printed by the child as well.
+  const pid_t parent = getpid();
+  pid_ = fork();
+  if (pid_ < 0) throw_errno("fork");
+  if (pid_ == 0) {
+    isolate(parent, child_socket.get(), child_output.get());
+    serve(solve);
+  }
+  setpgid(pid_, pid_);  // Here too: whichever process comes first.
+  resident_at_start_ = resident_bytes(pid_);
+}
+
+Worker::~Worker() { stop(); }
+
+void Worker::ask() {
+  received_.clear();
+  asked_ = looked_ = Clock::now();
+  const char go = 1;
+  // A worker that is gone is noticed by check(), which then says how it went.
+  send(socket_.get(), &go, 1, MSG_NOSIGNAL);
+}
+
+std::optional<Outcome> Worker::check() {
+  std::optional<Outcome> outcome = receive();
+  drain_output();
+  if (outcome) return outcome;
+
+  const Clock::time_point now = Clock::now();
+  if (now - asked_ > limits_.time)
+    return end(
+        Outcome::How::timed_out,
+        fmt::format("no answer within {} s", std::chrono::duration<double>(limits_.time).count()));
+  if (now - looked_ < look_every) return std::nullopt;
+  looked_ = now;
+  const std::int64_t grown = resident_bytes(pid_) - resident_at_start_;
+  if (grown > limits_.resident_bytes)
+    return end(Outcome::How::overgrown,
+               fmt::format("resident memory grew by {} MiB, the limit is {} MiB", grown >> 20,
+                           limits_.resident_bytes >> 20));
+  return std::nullopt;
+}
+
+std::vector<pollfd> Worker::watched() const {
+  return {{socket_.get(), POLLIN, 0}, {output_.get(), POLLIN, 0}};
+}
+
+/// One pipe full at most, so that a worker that never stops printing cannot keep the parent here.
+void Worker::drain_output() {
+  std::array<char, pipe_capacity> buffer;
+  const ssize_t count = read(output_.get(), buffer.data(), buffer.size());
+  if (count == 0) output_.reset();  // Or poll would return for its end for ever.
+  if (count <= 0) return;
+  output_end_.append(buffer.data(), static_cast<std::size_t>(count));
+  if (output_end_.size() > output_kept) output_end_.erase(0, output_end_.size() - output_kept);
+}
+
+std::optional<Outcome> Worker::receive() {
+  std::array<char, pipe_capacity> buffer;
+  ssize_t count;
+  while ((count = recv(socket_.get(), buffer.data(), buffer.size(), MSG_DONTWAIT)) > 0)
+    received_.append(buffer.data(), static_cast<std::size_t>(count));
+  const bool waiting = count < 0 && (errno == EAGAIN || errno == EWOULDBLOCK || errno == EINTR);
+
+  Header header{};
+  if (received_.size() >= sizeof header) {
+    std::memcpy(&header, received_.data(), sizeof header);
+    if (received_.size() - sizeof header >= header.size) return read_frame();
+  }
+  if (waiting) return std::nullopt;
+  return death();
+}
+
+/// Takes apart what `received_` holds: a header and as many bytes as it says.
+Outcome Worker::read_frame() {
+  Header header;
+  std::memcpy(&header, received_.data(), sizeof header);
+  std::string bytes = received_.substr(sizeof header, header.size);
+  if (header.threw) {
+    Outcome outcome = end(Outcome::How::threw, bytes);
+    outcome.exit_signal = 0;  // It was ended here, after the fact.
+    outcome.time_ns = header.time_ns;
+    return outcome;
+  }
+  Outcome outcome{.how = Outcome::How::answered, .time_ns = header.time_ns};
+  try {
+    outcome.result = decode(bytes);
+  } catch (const std::exception& error) {  // A solver has overwritten its memory or our socket.
+    return end(Outcome::How::died, fmt::format("sent what is no answer: {}", error.what()));
+  }
+  outcome.answer = std::move(bytes);
+  return outcome;
+}
+
+Outcome Worker::end(Outcome::How how, const std::string& message) {
+  const nanoseconds time = Clock::now() - asked_;
+  stop();
+  drain_output();
+  return {.how = how, .time_ns = time.count(), .message = message, .exit_signal = SIGKILL};
+}
+
+Outcome Worker::death() {
+  const nanoseconds time = Clock::now() - asked_;
+  const int status = stop();
+  const int signal = WIFSIGNALED(status) ? WTERMSIG(status) : 0;
+  return {.how = Outcome::How::died,
+          .time_ns = time.count(),
+          .message = signal ? fmt::format("died of signal {} ({})", signal, strsignal(signal))
+                            : fmt::format("exited with status {}", WEXITSTATUS(status)),
+          .exit_signal = signal};
+}
+
+/// Kills the group, waits for the process and returns its wait status. A process that is already on
+/// its way out keeps the status it chose.
+int Worker::stop() {
+  if (pid_ < 0) return 0;
+  kill(-pid_, SIGKILL);
+  int status = 0;
+  while (waitpid(pid_, &status, 0) < 0 && errno == EINTR) {
+  }
+  pid_ = -1;
+  return status;
+}
+
+}  // namespace lcp

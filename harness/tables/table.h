@@ -1,0 +1,70 @@
+#pragma once
+
+#include <map>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "harness/runs/record.h"
+
+namespace lcp {
+
+/// What one solver did on one corpus, in the shape of a column of the paper's Table I.
+///
+/// success + failure + unsupported + not_run + trivial = instances, and
+/// no_solution + cycle + error = failure. Means of work are over `success` and those failures that
+/// returned an answer (a killed worker takes its counts with it); times and residuals are over
+/// `success` alone.
+struct TableRow {
+  std::string corpus;
+  std::string solver;  ///< Full spelling.
+  std::string label;   ///< The same, with every option in which settings of one row differ.
+  Index instances = 0;
+  std::optional<double> contacts;  ///< Mean over instances with contact; empty without any.
+  std::optional<double> active;    ///< Mean over those of them where it is known.
+  Index success = 0;
+  Index failure = 0;
+  Index no_solution = 0;  ///< ray, exhausted, infeasible, false-infeasible.
+  Index cycle = 0;        ///< cycle, limit, timeout.
+  Index error = 0;        ///< wrong, inaccurate, singular, crash, memory.
+  Index wrong = 0;        ///< Of `error`: claimed solved or infeasible, and fails the check.
+  Index unclaimed = 0;    ///< Of `failure`: z passes although the solver claims a failure.
+  Index unsupported = 0;
+  Index not_run = 0;
+  Index trivial = 0;  ///< Solved where z = 0 is a solution too; a failure there stays a failure.
+  std::map<Verdict, Index> verdicts;  ///< Of all instances, trivial ones included.
+  std::optional<double> pivots;       ///< Mean.
+  std::optional<double> nodes;        ///< Mean.
+  std::optional<double> time_median_ms;
+  std::optional<double> residual_median;
+  std::optional<double> residual_max;
+};
+
+struct Table {
+  std::vector<TableRow> rows;  ///< By corpus, then by solver, each in order of first appearance.
+  double tolerance = 0;        ///< At which `solved` was judged, dimensionless.
+  int jobs = 1;                ///< Most pairs that ran at the same time: it disturbs times.
+};
+
+/// The verdict of a record at another tolerance, from its stored residual: a claim `solved` that
+/// passed at the tolerance of its run and fails at this one is `inaccurate`. Other claims keep theirs.
+Verdict rejudge(const Record& record, double tolerance);
+
+/// Counts records; `tolerance` re-judges them, without it they are taken as judged. Throws
+/// std::invalid_argument when records were judged at different tolerances and none is given.
+Table make_table(const std::vector<Record>& records, std::optional<double> tolerance = {});
+
+enum class TableFormat { text, csv, json, latex };
+
+/// `text`: a block per corpus for a terminal; `csv`: a line per row; `json`: {"rows": [...]}, an
+/// object per row, null where nothing was measured; `latex`: a tabular per corpus with a column per
+/// solver, for plain LaTeX.
+std::string render(const Table& table, TableFormat format);
+
+/// What a reader calls each solver among `records`, by full spelling: the spelling, with the options
+/// in which several settings of one registry row differ written out where they have their default,
+/// all in alphabetical order.
+std::map<std::string, std::string> labels(const std::vector<Record>& records);
+
+}  // namespace lcp

@@ -1,0 +1,279 @@
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <functional>
+#include <stdexcept>
+
+#include "harness/tables/table.h"
+#include "solvers/options.h"
+
+namespace lcp {
+
+namespace {
+
+/// One quantity of the table, named once for all renderers.
+struct Quantity {
+  std::string key;      ///< In CSV and JSON.
+  std::string heading;  ///< In a terminal, at most six letters.
+  std::string printed;  ///< In LaTeX, as in the paper where it has the quantity.
+  std::string meaning;
+  bool counted;        ///< A whole number.
+  const char* number;  ///< Format of a value.
+  bool always;         ///< In a terminal: shown even when 0 everywhere.
+  std::function<std::optional<double>(const TableRow&)> value;
+};
+
+Quantity count(std::string key, std::string heading, std::string printed, std::string meaning,
+               Index TableRow::*field, bool always = true) {
+  return {std::move(key),
+          std::move(heading),
+          std::move(printed),
+          std::move(meaning),
+          true,
+          "{:.0f}",
+          always,
+          [field](const TableRow& row) { return double(row.*field); }};
+}
+
+Quantity number(std::string key, std::string heading, std::string printed, std::string meaning,
+                const char* format, std::optional<double> TableRow::*field) {
+  return {std::move(key),
+          std::move(heading),
+          std::move(printed),
+          std::move(meaning),
+          false,
+          format,
+          true,
+          [field](const TableRow& row) { return row.*field; }};
+}
+
+/// What the paper's table states above the counts; a terminal shows it in the head of a block.
+const std::vector<Quantity>& corpus_quantities() {
+  static const std::vector<Quantity> all = {
+      number("contacts", "", "contacts", "", "{:.2f}", &TableRow::contacts),
+      number("active", "", "active", "", "{:.2f}", &TableRow::active),
+      count("instances", "", "total frames", "", &TableRow::instances),
+  };
+  return all;
+}
+
+const std::vector<Quantity>& solver_quantities() {
+  static const std::vector<Quantity> all = {
+      count("success", "solved", "success", "claimed solved and passed the judge",
+            &TableRow::success),
+      count("failure", "failed", "failure", "no sol. + cycle + error", &TableRow::failure),
+      count("no_solution", "no sol", "\\quad no solution",
+            "ray, exhausted, infeasible or false-infeasible", &TableRow::no_solution),
+      count("cycle", "cycle", "\\quad cycle", "cycle, limit or timeout", &TableRow::cycle),
+      count("error", "error", "\\quad error", "wrong, inaccurate, singular, crash or memory",
+            &TableRow::error),
+      count("wrong", "wrong", "wrong", "of error: the claim fails the check", &TableRow::wrong,
+            false),
+      count("unclaimed", "uncl", "unclaimed", "of failed: z passes although a failure is claimed",
+            &TableRow::unclaimed, false),
+      count("unsupported", "unsup", "unsupported", "the method does not apply; not in failed",
+            &TableRow::unsupported, false),
+      count("not_run", "n.run", "not run", "left out as too large; not in failed",
+            &TableRow::not_run, false),
+      count("trivial", "triv", "trivial", "solved where z = 0 is a solution too; not in solved",
+            &TableRow::trivial, false),
+      number("pivots", "pivots", "pivots", "mean of basis changes, abandoned branches included",
+             "{:.1f}", &TableRow::pivots),
+      number("nodes", "nodes", "nodes", "mean of search nodes opened", "{:.1f}", &TableRow::nodes),
+      number("time_median_ms", "ms", "median time (ms)", "median time of the solved", "{:#.3g}",
+             &TableRow::time_median_ms),
+      number("residual_median", "resid", "median residual",
+             "median natural residual of the solved, scaled", "{:.1e}", &TableRow::residual_median),
+      number("residual_max", "max", "largest residual", "the largest of them", "{:.1e}",
+             &TableRow::residual_max),
+  };
+  return all;
+}
+
+std::string cell(const Quantity& quantity, const TableRow& row, const std::string& empty) {
+  const std::optional<double> value = quantity.value(row);
+  if (!value) return empty;
+  return *value == 0 ? "0" : fmt::format(fmt::runtime(quantity.number), *value);
+}
+
+std::vector<std::vector<TableRow>> blocks(const Table& table) {
+  std::vector<std::vector<TableRow>> blocks;
+  for (const TableRow& row : table.rows) {
+    if (blocks.empty() || blocks.back().front().corpus != row.corpus) blocks.emplace_back();
+    blocks.back().push_back(row);
+  }
+  return blocks;
+}
+
+std::string corpus_heading(const std::vector<TableRow>& block) {
+  const auto [least, most] = std::minmax_element(
+      block.begin(), block.end(),
+      [](const TableRow& a, const TableRow& b) { return a.instances < b.instances; });
+  std::string heading = fmt::format("{}: {} instance{}", block.front().corpus, most->instances,
+                                    most->instances == 1 ? "" : "s");
+  if (least->instances < most->instances)
+    heading += fmt::format(" (only {} with {})", least->instances, least->label);
+  if (most->contacts) heading += fmt::format(", {:.1f} contacts", *most->contacts);
+  if (most->active) heading += fmt::format(", {:.1f} active", *most->active);
+  return heading;
+}
+
+constexpr std::size_t name_width = 34;  ///< Longer names stand on a line of their own.
+constexpr std::size_t least_name_width = 4;
+constexpr int count_width = 6;
+constexpr int number_width = 7;
+
+int width_of(const Quantity& quantity) { return quantity.counted ? count_width : number_width; }
+
+std::string text(const Table& table) {
+  if (table.rows.empty()) return "no rows\n";
+  std::vector<Quantity> shown;
+  for (const Quantity& quantity : solver_quantities()) {
+    const bool any = std::any_of(table.rows.begin(), table.rows.end(), [&](const TableRow& row) {
+      return quantity.value(row).value_or(0) != 0;
+    });
+    if (quantity.always || any) shown.push_back(quantity);
+  }
+  std::size_t width = least_name_width;
+  for (const TableRow& row : table.rows)
+    if (row.label.size() <= name_width) width = std::max(width, row.label.size());
+
+  std::string out;
+  for (const std::vector<TableRow>& block : blocks(table)) {
+    out += corpus_heading(block) + "\n" + std::string(width, ' ');
+    for (const Quantity& quantity : shown)
+      out += fmt::format(" {:>{}}", quantity.heading, width_of(quantity));
+    out += "\n";
+    for (const TableRow& row : block) {
+      out += row.label.size() > name_width ? row.label + "\n" + std::string(width, ' ')
+                                           : fmt::format("{:<{}}", row.label, width);
+      for (const Quantity& quantity : shown)
+        out += fmt::format(" {:>{}}", cell(quantity, row, "-"), width_of(quantity));
+      out += "\n";
+    }
+    out += "\n";
+  }
+  for (const Quantity& quantity : shown)
+    out += fmt::format("  {:<7} {}\n", quantity.heading, quantity.meaning);
+  out += fmt::format("Solved means a natural residual of at most {}.", table.tolerance);
+  if (table.jobs > 1)
+    out += fmt::format(" {} jobs ran at the same time: times are disturbed.", table.jobs);
+  return out + "\n";
+}
+
+template <class Visit>
+void each_quantity(Visit visit) {
+  for (const Quantity& quantity : corpus_quantities()) visit(quantity);
+  for (const Quantity& quantity : solver_quantities()) visit(quantity);
+}
+
+nlohmann::ordered_json to_json(const TableRow& row, const Table& table) {
+  nlohmann::ordered_json json = {
+      {"solver", row.solver}, {"label", row.label}, {"corpus", row.corpus}, {"mode", "corpus"}};
+  each_quantity([&](const Quantity& quantity) {
+    const std::optional<double> value = quantity.value(row);
+    if (!value) {
+      json[quantity.key] = nullptr;
+    } else if (quantity.counted) {
+      json[quantity.key] = static_cast<Index>(*value);
+    } else {
+      json[quantity.key] = *value;
+    }
+  });
+  for (const auto& [verdict, number_of] : row.verdicts)
+    json["verdicts"][to_string(verdict)] = number_of;
+  json["tolerance"] = table.tolerance;
+  json["jobs"] = table.jobs;
+  return json;
+}
+
+std::string json(const Table& table) {
+  nlohmann::ordered_json json;
+  json["rows"] = nlohmann::ordered_json::array();
+  for (const TableRow& row : table.rows) json["rows"].push_back(to_json(row, table));
+  return json.dump(1) + "\n";
+}
+
+/// Values in quotes where CSV asks for them (RFC 4180).
+std::string quoted(const std::string& value) {
+  if (value.find_first_of(",\"\r\n") == std::string::npos) return value;
+  std::string out = "\"";
+  for (const char c : value) out += c == '"' ? "\"\"" : std::string(1, c);
+  return out + "\"";
+}
+
+std::string csv(const Table& table) {
+  std::string out = "solver,corpus,mode";
+  each_quantity([&](const Quantity& quantity) { out += fmt::format(",{}", quantity.key); });
+  out += ",tolerance,jobs\n";
+  for (const TableRow& row : table.rows) {
+    out += fmt::format("{},{},corpus", quoted(row.solver), quoted(row.corpus));
+    each_quantity([&](const Quantity& quantity) {
+      const std::optional<double> value = quantity.value(row);
+      out += fmt::format(",{}", value ? shortest(*value) : "");
+    });
+    out += fmt::format(",{},{}\n", table.tolerance, table.jobs);
+  }
+  return out;
+}
+
+std::string escaped(const std::string& text) {
+  std::string out;
+  for (const char c : text) {
+    if (std::string("&%$#_{}").find(c) != std::string::npos) out += '\\';
+    out += c;
+  }
+  return out;
+}
+
+/// A solver as the head of a column, a line per setting.
+std::string column_head(const TableRow& row) {
+  std::string name = row.label;
+  std::replace(name.begin(), name.end(), ':', ',');
+  std::string lines;
+  std::size_t begin = 0;
+  while (begin <= name.size()) {
+    const std::size_t end = std::min(name.find(',', begin), name.size());
+    if (begin > 0) lines += "\\\\ ";
+    lines += escaped(name.substr(begin, end - begin));
+    begin = end + 1;
+  }
+  return "\\begin{tabular}[b]{@{}r@{}}" + lines + "\\end{tabular}";
+}
+
+std::string latex(const Table& table) {
+  std::string out = fmt::format("% natural residual at most {}, {} job{}\n", table.tolerance,
+                                table.jobs, table.jobs == 1 ? "" : "s");
+  for (const std::vector<TableRow>& block : blocks(table)) {
+    out += fmt::format("% {}\n\\begin{{tabular}}{{l|{}}}\n", block.front().corpus,
+                       std::string(block.size(), 'r'));
+    for (const TableRow& row : block) out += " & " + column_head(row);
+    out += " \\\\ \\hline\n";
+    each_quantity([&](const Quantity& quantity) {
+      out += quantity.printed;
+      for (const TableRow& row : block) out += " & " + cell(quantity, row, "--");
+      out += " \\\\\n";
+    });
+    out += "\\end{tabular}\n\n";
+  }
+  return out;
+}
+
+}  // namespace
+
+std::string render(const Table& table, TableFormat format) {
+  switch (format) {
+    case TableFormat::text:
+      return text(table);
+    case TableFormat::csv:
+      return csv(table);
+    case TableFormat::json:
+      return json(table);
+    case TableFormat::latex:
+      return latex(table);
+  }
+  throw std::logic_error("unknown table format");
+}
+
+}  // namespace lcp

@@ -1,0 +1,201 @@
+#include "harness/measure/solve.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <functional>
+
+namespace lcp {
+namespace {
+
+VectorXd vec(std::initializer_list<double> values) {
+  return Eigen::Map<const VectorXd>(values.begin(), static_cast<Index>(values.size()));
+}
+
+/// Answers as the test says; the islands are told apart by their size.
+class Scripted final : public Solver {
+ public:
+  explicit Scripted(std::function<Result(Index n, const Call&)> script)
+      : script_(std::move(script)) {}
+  Result solve(const Problem& problem, const Call& call) const override {
+    return script_(problem.size(), call);
+  }
+  OptionTable options() override { return {}; }
+
+ private:
+  std::function<Result(Index, const Call&)> script_;
+};
+
+Problem problem_of_size(Index n) {
+  Problem problem;
+  problem.M = MatrixXd::Identity(n, n);
+  problem.q = VectorXd::Zero(n);
+  set_plain_scales(problem);
+  return problem;
+}
+
+/// Rows 0 and 2, and row 1, of a problem of size 3.
+std::vector<Island> two_islands() {
+  return {{problem_of_size(2), {0, 2}}, {problem_of_size(1), {1}}};
+}
+
+Result result_of(Claim claim, VectorXd z) {
+  Result result;
+  result.claim = claim;
+  result.z = std::move(z);
+  return result;
+}
+
+TEST(SolveIslands, ReturnsTheSolversResultAsItIsForOneIsland) {
+  const Scripted solver([](Index, const Call&) {
+    Result result = result_of(Claim::limit, vec({1, 2}));
+    result.message = "as it is";
+    result.z0 = 3;
+    return result;
+  });
+  const Result whole = solve_islands(solver, {{problem_of_size(2), {0, 1}}}, 2);
+  EXPECT_EQ(whole.claim, Claim::limit);
+  EXPECT_EQ(whole.message, "as it is");
+  EXPECT_EQ(whole.z0, 3);
+  EXPECT_EQ(whole.z, vec({1, 2}));
+}
+
+TEST(SolveIslands, PutsTheAnswersBackIntoTheirRows) {
+  const Scripted solver([](Index n, const Call&) {
+    Result result = result_of(Claim::solved, n == 2 ? vec({10, 30}) : vec({20}));
+    result.w = -result.z;
+    result.basis = n == 2 ? std::vector<Index>{1} : std::vector<Index>{0};
+    return result;
+  });
+  const Result whole = solve_islands(solver, two_islands(), 3);
+  EXPECT_EQ(whole.claim, Claim::solved);
+  EXPECT_EQ(whole.z, vec({10, 20, 30}));
+  EXPECT_EQ(whole.w, vec({-10, -20, -30}));
+  EXPECT_EQ(whole.basis, (std::vector<Index>{1, 2}));
+  EXPECT_EQ(whole.covering.size(), 0);
+}
+
+TEST(SolveIslands, SumsTheWorkAndKeepsTheLargestQueue) {
+  const Scripted solver([](Index n, const Call&) {
+    Result result = result_of(Claim::solved, VectorXd::Zero(n));
+    result.work.pivots = n;
+    result.work.largest_queue = 10 * n;
+    return result;
+  });
+  const Result whole = solve_islands(solver, two_islands(), 3);
+  EXPECT_EQ(whole.work.pivots, 3);
+  EXPECT_EQ(whole.work.largest_queue, 20);
+}
+
+TEST(SolveIslands, ClaimsWhatTheFirstFailingIslandClaims) {
+  const Scripted solver([](Index n, const Call&) {
+    Result result = result_of(n == 2 ? Claim::solved : Claim::infeasible, VectorXd::Zero(n));
+    result.message = n == 2 ? "" : "no way";
+    result.certificate = n == 2 ? VectorXd() : vec({7});
+    return result;
+  });
+  const Result whole = solve_islands(solver, two_islands(), 3);
+  EXPECT_EQ(whole.claim, Claim::infeasible);
+  EXPECT_EQ(whole.message, "island 1: no way");
+  EXPECT_EQ(whole.certificate, vec({0, 7, 0}));
+}
+
+TEST(SolveIslands, HasNoBasisUnlessEveryIslandHasOne) {
+  const Scripted solver([](Index n, const Call&) {
+    Result result = result_of(Claim::solved, VectorXd::Zero(n));
+    if (n == 2) result.basis.emplace();
+    return result;
+  });
+  EXPECT_FALSE(solve_islands(solver, two_islands(), 3).basis);
+}
+
+TEST(SolveIslands, KeepsEachIslandsShareOfTheArtificialVariable) {
+  const Scripted solver([](Index n, const Call&) {
+    Result result = result_of(Claim::ray, VectorXd::Zero(n));
+    result.z0 = n == 2 ? 2 : 8;
+    result.covering = VectorXd::Constant(n, 3);
+    return result;
+  });
+  const Result whole = solve_islands(solver, two_islands(), 3);
+  EXPECT_EQ(whole.z0, 8);
+  EXPECT_EQ(whole.z0 * whole.covering, vec({6, 24, 6}));
+}
+
+TEST(SolveIslands, LeavesNoNumberWhereAnIslandReturnedNone) {
+  const Scripted solver(
+      [](Index n, const Call&) { return result_of(Claim::solved, n == 2 ? vec({1}) : vec({2})); });
+  const Result whole = solve_islands(solver, two_islands(), 3);
+  EXPECT_TRUE(std::isnan(whole.z(0)));
+  EXPECT_EQ(whole.z(1), 2);
+  EXPECT_TRUE(std::isnan(whole.z(2)));
+}
+
+TEST(SolveIslands, GivesEachIslandItsPartOfTheStart) {
+  std::vector<std::vector<Index>> starts;
+  const Scripted solver([&starts](Index n, const Call& call) {
+    starts.push_back(call.start.value().alpha);
+    return result_of(Claim::solved, VectorXd::Zero(n));
+  });
+  solve_islands(solver, two_islands(), 3, {.start = Start{{1, 2}}, .observer = {}});
+  EXPECT_EQ(starts, (std::vector<std::vector<Index>>{{1}, {0}}));
+}
+
+TEST(SolveIslands, ShowsPivotsInTheNumbersOfTheWhole) {
+  const Scripted solver([](Index n, const Call& call) {
+    if (n == 2) {  // w_0 w_1 z_0 z_1 z0 are 0 ... 4.
+      const std::vector<int> basic{0, 4};
+      PivotEvent event;
+      event.row = 1;
+      event.entering = 4;
+      event.leaving = 1;
+      event.basic = &basic;
+      call.observer(event);
+    } else {
+      const std::vector<int> basic{1};  // z_0
+      PivotEvent event;
+      event.entering = 1;
+      event.basic = &basic;
+      call.observer(event);
+    }
+    return result_of(Claim::solved, VectorXd::Zero(n));
+  });
+  std::vector<PivotEvent> events;
+  std::vector<std::vector<int>> basics;
+  Call call;
+  call.observer = [&](const PivotEvent& event) {
+    events.push_back(event);
+    basics.push_back(*event.basic);
+  };
+  solve_islands(solver, two_islands(), 3, call);
+  ASSERT_EQ(events.size(), 2u);
+  EXPECT_EQ(events[0].row, 2);
+  EXPECT_EQ(events[0].entering, 6) << "z0";
+  EXPECT_EQ(events[0].leaving, 2) << "w_2";
+  EXPECT_EQ(basics[0], (std::vector<int>{0, 1, 6}));
+  EXPECT_EQ(events[1].row, 1);
+  EXPECT_EQ(events[1].entering, 4) << "z_1";
+  EXPECT_EQ(basics[1], (std::vector<int>{0, 4, 6}));
+}
+
+/// Two contacts without friction on bodies that do not influence one another.
+TEST(SolveInstance, SolvesContactsThatDoNotInfluenceOneAnotherApart) {
+  Instance instance;
+  instance.problem = problem_of_size(2);
+  FrictionBlocks blocks;
+  blocks.W = MatrixXd::Identity(6, 6);
+  blocks.vbar = VectorXd::Zero(6);
+  blocks.mu = VectorXd::Zero(2);
+  blocks.directions.resize(2, 0);
+  blocks.normal_row = {0, 1};
+  blocks.friction_row = {-1, -1};
+  blocks.cone_row = {-1, -1};
+  instance.problem.friction = blocks;
+  const Scripted solver([](Index n, const Call&) {
+    EXPECT_EQ(n, 1);
+    return result_of(Claim::solved, vec({5}));
+  });
+  EXPECT_EQ(solve_instance(solver, instance).z, vec({5, 5}));
+}
+
+}  // namespace
+}  // namespace lcp
