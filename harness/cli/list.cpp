@@ -4,7 +4,9 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 
+#include "harness/cli/quantity.h"
 #include "harness/cli/verbs.h"
+#include "harness/runs/history.h"
 #include "harness/suites.h"
 #include "solvers/registry.h"
 
@@ -75,19 +77,39 @@ void list_families(bool json) {
   if (json) fmt::print("{}\n", Json{{"families", all}}.dump(1));
 }
 
+/// The most recent of `runs` that measured the suite as it is; null when there is none.
+const PastRun* last_run_of(const Suite& suite, const std::vector<PastRun>& runs) {
+  const Origin whole{suite.name, {}};
+  for (const PastRun& run : runs)
+    if (run.settings.origin == whole && run.settings.shard == Shard{} &&
+        run.settings.instances == size(suite))
+      return &run;
+  return nullptr;
+}
+
 void list_suites(bool json) {
   Json all = Json::array();
+  const std::vector<PastRun> runs = past_runs({"runs", "results"});
   for (const Suite& suite : suites()) {
+    const PastRun* last = last_run_of(suite, runs);
     if (json) {
       all.push_back({{"name", suite.name},
                      {"summary", suite.summary},
                      {"instances", size(suite)},
-                     {"solvers", suite.solvers}});
+                     {"solvers", suite.solvers},
+                     {"last_seconds", last ? Json(*last->settings.seconds) : Json()},
+                     {"last_run", last ? Json(last->directory.string()) : Json()}});
       continue;
     }
     fmt::print("{}\n    {}\n    {} instances, {} solvers, {} pairs\n", suite.name, suite.summary,
                size(suite), suite.solvers.size(),
                size(suite) * static_cast<Index>(suite.solvers.size()));
+    if (last)
+      fmt::print("    last measured: {} with {} solvers, {} job{} on {} ({})\n",
+                 printed_duration(*last->settings.seconds), last->settings.solvers.size(),
+                 last->jobs, last->jobs == 1 ? "" : "s", last->cpu, last->directory.string());
+    else
+      fmt::print("    not measured below runs/ or results/\n");
     for (const SuitePart& part : suite.parts)
       fmt::print("    {}{}\n", part.family,
                  part.every > 1 ? fmt::format(", one in {}", part.every) : std::string());

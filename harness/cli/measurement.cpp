@@ -9,6 +9,7 @@
 #include "harness/cli/quantity.h"
 #include "harness/cli/verbs.h"
 #include "harness/progress.h"
+#include "harness/runs/history.h"
 #include "harness/runs/run_directory.h"
 #include "harness/suites.h"
 #include "problems/io/load.h"
@@ -35,18 +36,27 @@ RunPlan make_plan(const Measurement& measurement, std::vector<NamedSolver> solve
   plan.jobs = measurement.jobs;
   plan.max_contacts = measurement.max_contacts;
   plan.solvers = std::move(solvers);
+  plan.shard = parse_shard(measurement.shard);
   const std::string suite = suite_name(measurement);
   plan.instances = thinned(suite.empty() ? load(measurement.corpora) : generate(find_suite(suite)),
                            measurement.every, measurement.limit);
   return plan;
 }
 
+/// The pairs to be run on stdout, how long they should take on stderr.
 void print_pairs(const RunPlan& plan) {
-  for (const Instance& instance : plan.instances)
-    for (const NamedSolver& solver : plan.solvers)
-      fmt::print("{} {}\n", instance.name, solver.spelling);
-  fmt::print(stderr, "{} instances, {} solvers, {} pairs\n", plan.instances.size(),
-             plan.solvers.size(), plan.instances.size() * plan.solvers.size());
+  const std::vector<PairKey> pairs = open_pairs(plan);
+  for (const PairKey& pair : pairs) fmt::print("{} {}\n", pair.instance, pair.solver);
+  fmt::print(stderr, "{} instances, {} solvers, {} pairs to run\n", plan.instances.size(),
+             plan.solvers.size(), pairs.size());
+  const Forecast expected = forecast(plan, past_runs({"runs"}));
+  if (expected.known > 0)
+    fmt::print(stderr, "expected: {} for {} of them, going by past runs below runs/\n",
+               printed_duration(expected.seconds), expected.known);
+  if (expected.unknown > 0)
+    fmt::print(stderr,
+               "{} that no run below runs/ has measured: at most {} (the time limit of each)\n",
+               expected.unknown, printed_duration(expected.most_seconds));
 }
 
 }  // namespace
@@ -82,8 +92,14 @@ void add_options(CLI::App& page, Measurement& measurement) {
   page.add_option("--every", measurement.every, "Only every K-th instance of each corpus")
       ->check(CLI::PositiveNumber)
       ->excludes(limit);
-  page.add_flag("--dry-run", measurement.dry_run, "Print the pairs (instance, solver) and stop");
-  page.add_option("--out", measurement.out, "New directory for rows, table and chart");
+  page.add_flag("--dry-run", measurement.dry_run,
+                "Print the pairs (instance, solver) that would be run and the expected time");
+  page.add_option("--shard", measurement.shard,
+                  "I/N: only the I-th of N parts; lcpbench merge joins them")
+      ->capture_default_str();
+  page.add_flag("--resume", measurement.resume,
+                "Go on with what DIR holds: run the pairs without a row");
+  page.add_option("--out", measurement.out, "Directory for rows, table and chart");
 }
 
 std::string suite_name(const Measurement& measurement) {
@@ -93,22 +109,35 @@ std::string suite_name(const Measurement& measurement) {
 
 int measure(const Measurement& measurement, std::vector<NamedSolver> solvers,
             const std::string& default_out) {
-  const RunPlan plan = make_plan(measurement, std::move(solvers));
+  RunPlan plan = make_plan(measurement, std::move(solvers));
+  const std::size_t pairs = open_pairs(plan).size();
+  const std::string out =
+      !measurement.out.empty() ? measurement.out
+      : plan.shard.count > 1
+          ? fmt::format("{}-{}of{}", default_out, plan.shard.index + 1, plan.shard.count)
+          : default_out;
   if (measurement.dry_run) {
+    if (measurement.resume) plan.done = pairs_done(out);
     print_pairs(plan);
     return done;
   }
-  const std::string out = measurement.out.empty() ? default_out : measurement.out;
   const std::atomic<bool>& interrupted = catch_interruptions();
-  std::size_t rows = 0;
+  const Origin origin{suite_name(measurement), measurement.corpora, measurement.every,
+                      measurement.limit};
+  RunReport report;
   {
     ProgressBar bar;
-    rows = run_into(
-        out, plan, [&](const Progress& progress) { bar.update(progress); }, interrupted);
+    report = run_into(
+        out, plan, origin, measurement.resume ? Existing::resume : Existing::refuse,
+        [](const std::string& line) { fmt::print(stderr, "{}\n", line); },
+        [&](const Progress& progress) { bar.update(progress); }, interrupted);
   }
+  if (measurement.resume)
+    fmt::print(stderr, "{} rows stood there, {} are new\n", report.rows_before, report.rows);
   if (interrupted) {
-    fmt::print(stderr, "interrupted: {} of {} rows are in {}; lcpbench table {} counts them\n",
-               rows, plan.instances.size() * plan.solvers.size(), out, out);
+    fmt::print(stderr,
+               "interrupted: {} of {} rows are in {}; the same command with --resume goes on\n",
+               report.rows_before + report.rows, pairs, out);
     return interrupted_by_user;
   }
   fmt::print("{}", render(write_tables(out), TableFormat::text));

@@ -21,6 +21,8 @@ struct Measurement {
   Index limit = 0;
   Index every = 1;
   bool dry_run = false;
+  bool resume = false;
+  std::string shard = "1/1";
   std::string out;
 };
 

@@ -40,4 +40,12 @@ std::int64_t parse_bytes(const std::string& text, const std::string& option) {
   return parse(text, {{"KiB", 0x1p10}, {"MiB", 0x1p20}, {"GiB", 0x1p30}}, option);
 }
 
+std::string printed_duration(double seconds) {
+  if (seconds < 9.95) return fmt::format("{:.1f} s", seconds);
+  const auto whole = static_cast<long>(seconds + 0.5);
+  if (whole < 60) return fmt::format("{} s", whole);
+  if (whole < 3600) return fmt::format("{} min {} s", whole / 60, whole % 60);
+  return fmt::format("{} h {} min", whole / 3600, whole % 3600 / 60);
+}
+
 }  // namespace lcp::cli

@@ -12,4 +12,7 @@ std::chrono::nanoseconds parse_duration(const std::string& text, const std::stri
 /// Reads a positive number of bytes: 2GiB, 512MiB, 64KiB. Throws as above.
 std::int64_t parse_bytes(const std::string& text, const std::string& option);
 
+/// For a reader: `52 s`, `3 min 20 s`, `2 h 5 min`.
+std::string printed_duration(double seconds);
+
 }  // namespace lcp::cli

@@ -24,10 +24,12 @@ struct Verb {
   std::function<int()> act;
 };
 
+Verb add_compare(CLI::App& program);
 Verb add_convert(CLI::App& program);
 Verb add_generate(CLI::App& program);
 Verb add_info(CLI::App& program);
 Verb add_list(CLI::App& program);
+Verb add_merge(CLI::App& program);
 Verb add_run(CLI::App& program);
 Verb add_solve(CLI::App& program);
 Verb add_sweep(CLI::App& program);

@@ -17,6 +17,7 @@ namespace {
 constexpr int tick_ms = 10;  // Between looks at the limits and at `interrupted`.
 constexpr std::size_t fewest_samples = 3;
 constexpr std::int64_t longest_warm_up_ns = 1'000'000'000;
+constexpr const char* cold_start = "cold";
 
 void require(bool holds, const std::string& complaint) {
   if (!holds) throw std::invalid_argument("run: " + complaint);
@@ -32,7 +33,39 @@ void check_plan(const RunPlan& plan) {
   require(plan.max_samples >= 1,
           fmt::format("max_samples is {}, expected 1 or more", plan.max_samples));
   require(plan.spread >= 0, fmt::format("spread is {}, expected 0 or more", plan.spread));
+  require(plan.shard.index >= 0 && plan.shard.index < plan.shard.count,
+          fmt::format("shard is {} of {}, expected 0 ... {}", plan.shard.index, plan.shard.count,
+                      plan.shard.count - 1));
   for (const Instance& instance : plan.instances) check(instance.problem, instance.name);
+}
+
+PairKey key_of(const Instance& instance, const NamedSolver& solver) {
+  return {instance.name, instance.sha256, solver.spelling, cold_start};
+}
+
+/// The solvers that are to meet on one instance.
+struct Fixture {
+  const Instance& instance;
+  Index place;
+  std::vector<const NamedSolver*> solvers;
+};
+
+/// What of the plan is to be run: its shard, without the pairs done.
+std::vector<Fixture> open_fixtures(const RunPlan& plan) {
+  std::vector<Fixture> fixtures;
+  for (std::size_t k = plan.shard.index; k < plan.instances.size(); k += plan.shard.count) {
+    Fixture fixture{plan.instances[k], static_cast<Index>(k), {}};
+    for (const NamedSolver& solver : plan.solvers)
+      if (!plan.done.contains(key_of(fixture.instance, solver))) fixture.solvers.push_back(&solver);
+    if (!fixture.solvers.empty()) fixtures.push_back(std::move(fixture));
+  }
+  return fixtures;
+}
+
+std::size_t pairs_of(const std::vector<Fixture>& fixtures) {
+  std::size_t pairs = 0;
+  for (const Fixture& fixture : fixtures) pairs += fixture.solvers.size();
+  return pairs;
 }
 
 Index contacts_of(const Instance& instance) {
@@ -40,9 +73,12 @@ Index contacts_of(const Instance& instance) {
 }
 
 /// A row about this pair in which nothing has been run yet.
-Record blank_record(const RunPlan& plan, const Instance& instance, const NamedSolver& solver) {
+Record blank_record(const RunPlan& plan, const Fixture& fixture, const NamedSolver& solver) {
+  const Instance& instance = fixture.instance;
   Record record;
   record.instance = instance.name;
+  record.place = fixture.place;
+  record.start = cold_start;
   record.corpus = instance.name.substr(0, instance.name.find('/'));
   record.sha256 = instance.sha256;
   record.n = instance.problem.size();
@@ -74,14 +110,14 @@ Verdict verdict_without_answer(Outcome::How how) {
 /// One solver at work on one instance, and the record that comes of it.
 class Pair {
  public:
-  Pair(const RunPlan& plan, const Instance& instance, const NamedSolver& solver,
+  Pair(const RunPlan& plan, const Fixture& fixture, const NamedSolver& solver,
        const std::vector<Island>& islands)
       : plan_(plan),
-        instance_(instance),
-        blank_(blank_record(plan, instance, solver)),
+        instance_(fixture.instance),
+        blank_(blank_record(plan, fixture, solver)),
         record_(blank_),
         worker_(std::make_unique<Worker>(
-            [&solver, &islands, n = instance.problem.size()] {
+            [&solver, &islands, n = fixture.instance.problem.size()] {
               return solve_islands(*solver.solver, islands, n);
             },
             Limits{plan.timeout, plan.memory_bytes})) {}
@@ -165,18 +201,20 @@ class Pair {
 /// All solvers on one instance, taking turns: at most one of them is running.
 class Match {
  public:
-  Match(const RunPlan& plan, const Instance& instance)
-      : instance_(instance), islands_(split_islands(instance.problem)) {
-    for (const NamedSolver& solver : plan.solvers)
-      pairs_.push_back(std::make_unique<Pair>(plan, instance, solver, islands_));
+  Match(const RunPlan& plan, const Fixture& fixture)
+      : instance_(fixture.instance), islands_(split_islands(instance_.problem)) {
+    for (const NamedSolver* solver : fixture.solvers)
+      pairs_.push_back(std::make_unique<Pair>(plan, fixture, *solver, islands_));
     pairs_[turn_]->worker().ask();
   }
 
   const Instance& instance() const { return instance_; }
   std::vector<pollfd> watched() const { return pairs_[turn_]->worker().watched(); }
+  /// Of the pairs that are done, in solver order.
   std::vector<Record> records() const {
     std::vector<Record> records;
-    for (const auto& pair : pairs_) records.push_back(pair->record());
+    for (const auto& pair : pairs_)
+      if (pair->done()) records.push_back(pair->record());
     return records;
   }
 
@@ -217,25 +255,33 @@ void wait_for_workers(const Matches& matches) {
   poll(watched.data(), watched.size(), tick_ms);  // An interrupted wait is a short tick.
 }
 
-std::vector<Record> not_run_records(const RunPlan& plan, const Instance& instance) {
+std::vector<Record> not_run_records(const RunPlan& plan, const Fixture& fixture) {
   std::vector<Record> records;
-  for (const NamedSolver& solver : plan.solvers) {
-    records.push_back(blank_record(plan, instance, solver));
+  for (const NamedSolver* solver : fixture.solvers) {
+    records.push_back(blank_record(plan, fixture, *solver));
     records.back().verdict = Verdict::not_run;
     records.back().message =
-        fmt::format("{} contacts, more than {}", contacts_of(instance), plan.max_contacts);
+        fmt::format("{} contacts, more than {}", contacts_of(fixture.instance), plan.max_contacts);
   }
   return records;
 }
 
 }  // namespace
 
+std::vector<PairKey> open_pairs(const RunPlan& plan) {
+  std::vector<PairKey> pairs;
+  for (const Fixture& fixture : open_fixtures(plan))
+    for (const NamedSolver* solver : fixture.solvers)
+      pairs.push_back(key_of(fixture.instance, *solver));
+  return pairs;
+}
+
 void run(const RunPlan& plan, const std::function<void(const Record&)>& finished,
          const std::function<void(const Progress&)>& progress,
          const std::atomic<bool>& interrupted) {
   check_plan(plan);
-  if (plan.solvers.empty()) return;
-  Progress state{.done = 0, .total = plan.instances.size() * plan.solvers.size(), .at = {}};
+  const std::vector<Fixture> fixtures = open_fixtures(plan);
+  Progress state{.done = 0, .total = pairs_of(fixtures), .at = {}};
   const auto report = [&](const Instance& instance, std::size_t pairs) {
     state.done += pairs;
     state.at = instance.name;
@@ -246,16 +292,16 @@ void run(const RunPlan& plan, const std::function<void(const Record&)>& finished
   };
 
   Matches matches;
-  auto next = plan.instances.begin();
-  while (!interrupted && (next != plan.instances.end() || !matches.empty())) {
-    if (next != plan.instances.end() && matches.size() < static_cast<std::size_t>(plan.jobs)) {
-      const Instance& instance = *next++;
-      if (contacts_of(instance) > plan.max_contacts) {
-        hand_over(not_run_records(plan, instance));
-        report(instance, plan.solvers.size());
+  auto next = fixtures.begin();
+  while (!interrupted && (next != fixtures.end() || !matches.empty())) {
+    if (next != fixtures.end() && matches.size() < static_cast<std::size_t>(plan.jobs)) {
+      const Fixture& fixture = *next++;
+      if (contacts_of(fixture.instance) > plan.max_contacts) {
+        hand_over(not_run_records(plan, fixture));
+        report(fixture.instance, fixture.solvers.size());
       } else {
-        matches.push_back(std::make_unique<Match>(plan, instance));
-        report(instance, 0);
+        matches.push_back(std::make_unique<Match>(plan, fixture));
+        report(fixture.instance, 0);
       }
       continue;
     }
@@ -266,6 +312,7 @@ void run(const RunPlan& plan, const std::function<void(const Record&)>& finished
       if (match->over()) hand_over(match->records());
     std::erase_if(matches, [](const auto& match) { return match->over(); });
   }
+  for (const auto& match : matches) hand_over(match->records());  // those that were interrupted
 }
 
 }  // namespace lcp

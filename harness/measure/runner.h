@@ -3,6 +3,7 @@
 #include <atomic>
 #include <chrono>
 #include <functional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -10,6 +11,14 @@
 #include "solvers/registry.h"
 
 namespace lcp {
+
+/// One part of a run that is shared out: the instances at places index, index + count, ...
+struct Shard {
+  Index index = 0;
+  Index count = 1;
+
+  bool operator==(const Shard&) const = default;
+};
 
 /// What is run, and how far a pair (instance, solver) may go.
 struct RunPlan {
@@ -24,15 +33,20 @@ struct RunPlan {
   int max_samples = 9;      ///< Timed repetitions of a solved pair.
   double spread = 0.05;  ///< Repetitions stop when the quartiles are this close, over the median.
   std::string environment;  ///< Id of env.json.
+  Shard shard;
+  std::set<PairKey> done;  ///< Pairs that have a row already and are left out.
 };
+
+/// Pairs of the plan that are to be run, in order: those of its shard without the ones done.
+std::vector<PairKey> open_pairs(const RunPlan& plan);
 
 struct Progress {
-  std::size_t done = 0;  ///< Pairs finished.
-  std::size_t total = 0;
-  std::string at;  ///< Instance being worked on.
+  std::size_t done = 0;   ///< Pairs finished.
+  std::size_t total = 0;  ///< Pairs to be run.
+  std::string at;         ///< Instance being worked on.
 };
 
-/// Runs every pair, each in a worker process of its own, and hands over each finished record.
+/// Runs every open pair, each in a worker process of its own, and hands over each finished record.
 /// Records of one instance arrive together, in solver order; instances arrive in the order of the
 /// plan with jobs = 1, else in the order of completion. Judging, splitting into islands, checks and
 /// I/O stay outside the clock.
@@ -45,10 +59,10 @@ struct Progress {
 /// again. Same input, same bits is part of what a solver promises: one whose later answer differs
 /// from its first in any field is `wrong`, and the message says why.
 ///
-/// When `interrupted` becomes true the workers are killed and the function returns; instances in
-/// progress are given up, records handed over before stand. Exceptions of `finished` and `progress`
+/// When `interrupted` becomes true the workers are killed and the function returns, after it has
+/// handed over the pairs that were finished; the others are given up. Exceptions of `finished` and `progress`
 /// (a full disk) kill the workers and pass through. Throws std::invalid_argument on a plan whose
-/// limits are not positive or whose instances are malformed, std::system_error when the system
+/// limits are not positive, whose shard does not exist or whose instances are malformed, std::system_error when the system
 /// refuses a worker.
 void run(const RunPlan& plan, const std::function<void(const Record&)>& finished,
          const std::function<void(const Progress&)>& progress,

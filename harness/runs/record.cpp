@@ -97,7 +97,21 @@ json accuracy_to_json(const Accuracy& accuracy) {
   throw std::system_error(errno, std::generic_category(), what);
 }
 
+/// Keeps other processes from writing the file until this one closes it or ends.
+void lock(int file, const std::string& path) {
+  struct flock whole {};
+  whole.l_type = F_WRLCK;
+  whole.l_whence = SEEK_SET;
+  if (fcntl(file, F_SETLK, &whole) == 0) return;
+  if (errno == EACCES || errno == EAGAIN) throw_errno(path + ": another process is writing it");
+  if (errno != ENOLCK && errno != EINVAL) throw_errno(path);  // Some file systems know no locks.
+}
+
 }  // namespace
+
+PairKey key_of(const Record& record) {
+  return {record.instance, record.sha256, record.solver, record.start};
+}
 
 bool decided_by_runner(Verdict verdict) {
   return verdict == Verdict::timeout || verdict == Verdict::memory || verdict == Verdict::crash ||
@@ -118,6 +132,7 @@ void from_json(const json& object, Work& work) {
 void to_json(json& object, const Record& record) {
   object = {{"schema", Record::schema},
             {"instance", record.instance},
+            {"place", record.place},
             {"corpus", record.corpus},
             {"sha256", record.sha256},
             {"n", record.n},
@@ -151,6 +166,7 @@ void from_json(const json& object, Record& record) {
         fmt::format("field 'schema': {}, expected {}", schema, Record::schema));
   record = Record{};
   get(object, "instance", record.instance);
+  if (object.contains("place")) get(object, "place", record.place);  // rows of older runs: 0
   get(object, "corpus", record.corpus);
   get(object, "sha256", record.sha256);
   get(object, "n", record.n);
@@ -204,6 +220,7 @@ RecordWriter::RecordWriter(const std::string& directory)
     : path_(rows_file(directory)),
       file_(open(path_.c_str(), O_RDWR | O_CREAT | O_APPEND | O_CLOEXEC, 0666)) {
   if (file_.get() < 0) throw_errno(path_);
+  lock(file_.get(), path_);
   const off_t size = lseek(file_.get(), 0, SEEK_END);
   off_t whole = size;
   char last = '\n';

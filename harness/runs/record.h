@@ -16,6 +16,7 @@ struct Record {
   static constexpr int schema = 1;
 
   std::string instance;
+  Index place = 0;     ///< Of the instance among all of the run, counted before it is sharded.
   std::string corpus;  ///< What comes before the first '/' of the instance's name.
   std::string sha256;
   Index n = 0;
@@ -45,6 +46,19 @@ struct Record {
   std::optional<std::int64_t> median_ns() const;
 };
 
+/// What makes two rows the same piece of work. The name stands beside the hash because a corpus may
+/// hold one problem twice.
+struct PairKey {
+  std::string instance;
+  std::string sha256;
+  std::string solver;  ///< Full spelling.
+  std::string start;
+
+  auto operator<=>(const PairKey&) const = default;
+};
+
+PairKey key_of(const Record& record);
+
 /// True for timeout, memory, crash and not-run: there was no answer to judge.
 bool decided_by_runner(Verdict verdict);
 
@@ -66,7 +80,7 @@ std::vector<Record> read_records(const std::string& directory);
 class RecordWriter {
  public:
   /// Creates the file or continues it, cutting off an unfinished last line; throws
-  /// std::system_error when it cannot.
+  /// std::system_error when it cannot, or when another process is writing it.
   explicit RecordWriter(const std::string& directory);
   /// Throws std::system_error on a full disk, leaving the rows before this one intact: what was
   /// written of this one is cut off again. Bytes that are not UTF-8 (a worker's output may be

@@ -1,8 +1,11 @@
 #include "harness/runs/run_directory.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
+#include <unistd.h>
 
 #include <algorithm>
+#include <fstream>
 #include <memory>
 #include <stdexcept>
 #include <system_error>
@@ -16,12 +19,12 @@ namespace lcp {
 
 namespace {
 
-void create_new_directory(const std::filesystem::path& directory) {
+namespace fs = std::filesystem;
+using nlohmann::json;
+
+void create(const fs::path& directory) {
   std::error_code error;
-  if (std::filesystem::exists(directory, error))
-    throw std::invalid_argument(
-        fmt::format("{} exists: name a new directory, or move it aside", directory.string()));
-  std::filesystem::create_directories(directory, error);
+  fs::create_directories(directory, error);
   if (error)
     throw UnwritableOutput(
         fmt::format("{}: cannot create: {}", directory.string(), error.message()));
@@ -37,29 +40,67 @@ auto writing_rows(Write write) {
   }
 }
 
-}  // namespace
-
-std::size_t run_into(const std::filesystem::path& directory, RunPlan plan,
-                     const std::function<void(const Progress&)>& progress,
-                     const std::atomic<bool>& interrupted) {
-  create_new_directory(directory);
-  const nlohmann::json environment = describe_environment(plan.jobs);
-  plan.environment = environment.at("id").get<std::string>();
-  replace_file((directory / "env.json").string(), environment.dump(1) + "\n");
-  const auto writer =
-      writing_rows([&] { return std::make_unique<RecordWriter>(directory.string()); });
-  std::size_t rows = 0;
-  run(
-      plan,
-      [&](const Record& record) {
-        writing_rows([&] { writer->write(record); });
-        ++rows;
-      },
-      progress, interrupted);
-  return rows;
+json read_json(const fs::path& file) {
+  std::ifstream stream(file);
+  if (!stream) throw UnreadableInput(fmt::format("{}: cannot be read", file.string()));
+  try {
+    return json::parse(stream);
+  } catch (const json::exception& error) {
+    throw UnreadableInput(fmt::format("{}: {}", file.string(), error.what()));
+  }
 }
 
-std::vector<Record> read_run(const std::filesystem::path& directory) {
+RunSettings read_settings(const fs::path& directory) {
+  const fs::path file = directory / "run.json";
+  const json object = read_json(file);
+  try {
+    return object.get<RunSettings>();
+  } catch (const std::invalid_argument& error) {
+    throw UnreadableInput(fmt::format("{}: {}", file.string(), error.what()));
+  }
+}
+
+/// An environment's description; it must say its id and commit.
+json read_environment(const fs::path& file) {
+  const json environment = read_json(file);
+  for (const char* field : {"id", "commit"})
+    if (!environment.is_object() || !environment.contains(field) ||
+        !environment.at(field).is_string())
+      throw UnreadableInput(fmt::format("{}: field '{}' is missing", file.string(), field));
+  return environment;
+}
+
+std::vector<json> read_environments(const fs::path& directory) {
+  std::vector<json> environments{read_environment(directory / "env.json")};
+  std::vector<fs::path> others;
+  for (const fs::directory_entry& entry : fs::directory_iterator(directory))
+    if (entry.path().filename().string().starts_with("env-")) others.push_back(entry.path());
+  std::sort(others.begin(), others.end());
+  for (const fs::path& file : others) environments.push_back(read_environment(file));
+  return environments;
+}
+
+void write_json(const fs::path& file, const json& object) {
+  replace_file(file.string(), object.dump(1) + "\n");
+}
+
+fs::path file_of(const fs::path& directory, const json& environment, bool first) {
+  return directory /
+         (first ? "env.json" : fmt::format("env-{}.json", environment.at("id").get<std::string>()));
+}
+
+/// What replace_file leaves beside a file when the program is killed while it writes.
+void remove_unfinished(const fs::path& directory) {
+  std::vector<fs::path> unfinished;
+  for (const fs::directory_entry& entry : fs::directory_iterator(directory))
+    if (entry.path().extension() == ".tmp") unfinished.push_back(entry.path());
+  for (const fs::path& file : unfinished) {
+    std::error_code nobody_minds;
+    fs::remove(file, nobody_minds);
+  }
+}
+
+std::vector<Record> read_rows(const fs::path& directory) {
   try {
     return read_records(directory.string());
   } catch (const std::runtime_error& error) {
@@ -67,7 +108,144 @@ std::vector<Record> read_run(const std::filesystem::path& directory) {
   }
 }
 
-Table write_tables(const std::filesystem::path& directory) {
+/// Throws std::invalid_argument unless the run in `directory` may go on as `now` in `environment`.
+void require_same_run(const fs::path& directory, const RunSettings& begun, const RunSettings& now,
+                      const json& begun_in, const json& environment) {
+  if (begun_in.at("commit") != environment.at("commit"))
+    throw std::invalid_argument(fmt::format(
+        "{} was begun by commit {}, this program is {}: name a new directory with --out",
+        directory.string(), begun_in.at("commit").get<std::string>(),
+        environment.at("commit").get<std::string>()));
+  if (begun.shard != now.shard)
+    throw std::invalid_argument(fmt::format("{} holds shard {}, this is {}: name another directory",
+                                            directory.string(), to_string(begun.shard),
+                                            to_string(now.shard)));
+  if (const std::vector<std::string> found = conflicts(begun, now); !found.empty())
+    throw std::invalid_argument(
+        fmt::format("{} was begun otherwise (then, now): {}; name a new directory with --out",
+                    directory.string(), fmt::join(found, "; ")));
+}
+
+}  // namespace
+
+RunReport run_into(const fs::path& directory, RunPlan plan, const Origin& origin, Existing existing,
+                   const std::function<void(const std::string&)>& note,
+                   const std::function<void(const Progress&)>& progress,
+                   const std::atomic<bool>& interrupted) {
+  const bool there = fs::exists(directory);
+  if (there && existing == Existing::refuse)
+    throw std::invalid_argument(
+        fmt::format("{} exists: --resume continues it; or name a new directory, or move it aside",
+                    directory.string()));
+  const bool begun = there && fs::exists(directory / "run.json");
+  if (there && !begun && fs::exists(directory / "rows.jsonl"))
+    throw std::invalid_argument(fmt::format(
+        "{} has rows but no run.json, so it cannot be resumed: name a new directory with --out",
+        directory.string()));
+
+  const json environment = describe_environment(plan.jobs);
+  plan.environment = environment.at("id").get<std::string>();
+  RunSettings settings = settings_of(plan, origin);
+  if (begun) {
+    const auto [before, known] = read_run_header(directory);
+    require_same_run(directory, before, settings, known.front(), environment);
+    if (environment.at("dirty") == true)
+      note("built from a changed tree: rows of different code cannot be told apart");
+    const bool new_here = std::none_of(known.begin(), known.end(), [&](const json& each) {
+      return each.at("id") == environment.at("id");
+    });
+    if (new_here) {
+      note("the run goes on in another environment: compare times within one only");
+      write_json(file_of(directory, environment, false), environment);
+    }
+    remove_unfinished(directory);
+    std::vector<std::string> solvers = before.solvers;
+    append_missing(solvers, settings.solvers);
+    settings.solvers = solvers;
+    settings.seconds = before.seconds;
+    plan.done = pairs_done(directory);
+  } else {
+    create(directory);
+    write_json(file_of(directory, environment, true), environment);
+  }
+
+  RunReport report{.rows_before = plan.done.size(), .rows = 0};
+  if (begun && open_pairs(plan).empty()) return report;
+  settings.seconds.reset();
+  write_json(directory / "run.json", settings);
+  const auto writer =
+      writing_rows([&] { return std::make_unique<RecordWriter>(directory.string()); });
+  const auto begin = std::chrono::steady_clock::now();
+  run(
+      plan,
+      [&](const Record& record) {
+        writing_rows([&] { writer->write(record); });
+        ++report.rows;
+      },
+      progress, interrupted);
+  if (!begun && !interrupted) {
+    const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - begin;
+    settings.seconds = elapsed.count();
+    write_json(directory / "run.json", settings);
+  }
+  return report;
+}
+
+std::set<PairKey> pairs_done(const fs::path& directory) {
+  std::set<PairKey> keys;
+  if (!fs::exists(directory / "rows.jsonl")) return keys;
+  for (const Record& record : read_rows(directory)) keys.insert(key_of(record));
+  return keys;
+}
+
+RunHeader read_run_header(const fs::path& directory) {
+  return {read_settings(directory), read_environments(directory)};
+}
+
+StoredRun read_stored_run(const fs::path& directory) {
+  const RunHeader header = read_run_header(directory);
+  StoredRun run{directory, header.settings, header.environments, read_rows(directory)};
+  sort_rows(run.rows, run.settings.solvers);
+  return run;
+}
+
+void write_stored_run(const StoredRun& run) {
+  const fs::path& directory = run.directory;
+  if (fs::exists(directory))
+    throw std::invalid_argument(
+        fmt::format("{} exists: name a new directory, or move it aside", directory.string()));
+  // All of it in a directory beside, which then takes its name.
+  fs::path unfinished = directory;
+  unfinished += fmt::format(".{}.tmp", getpid());
+  create(unfinished);
+  try {
+    for (const json& environment : run.environments)
+      write_json(file_of(unfinished, environment, &environment == &run.environments.front()),
+                 environment);
+    write_json(unfinished / "run.json", run.settings);
+    writing_rows([&] {
+      RecordWriter writer(unfinished.string());
+      for (const Record& record : run.rows) writer.write(record);
+    });
+    std::error_code error;
+    fs::rename(unfinished, directory, error);
+    if (error)
+      throw UnwritableOutput(
+          fmt::format("{}: cannot create: {}", directory.string(), error.message()));
+  } catch (...) {
+    std::error_code nobody_minds;
+    fs::remove_all(unfinished, nobody_minds);
+    throw;
+  }
+}
+
+std::vector<Record> read_run(const fs::path& directory) {
+  std::vector<Record> rows = read_rows(directory);
+  if (fs::exists(directory / "run.json")) sort_rows(rows, read_settings(directory).solvers);
+  return rows;
+}
+
+Table write_tables(const fs::path& directory) {
   const Table table = make_table(read_run(directory));
   const auto write = [&](const char* name, TableFormat format) {
     replace_file((directory / name).string(), render(table, format));
@@ -78,7 +256,7 @@ Table write_tables(const std::filesystem::path& directory) {
   return table;
 }
 
-void write_chart(const std::filesystem::path& directory) {
+void write_chart(const fs::path& directory) {
   const std::vector<Record> records = read_run(directory);
   const std::vector<ChartPoint> points = chart_points(records);
   if (std::any_of(points.begin(), points.end(), [](const ChartPoint& p) { return p.counted > 0; }))

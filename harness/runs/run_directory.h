@@ -5,19 +5,75 @@
 #include <functional>
 
 #include "harness/measure/runner.h"
+#include "harness/runs/settings.h"
 #include "harness/tables/table.h"
 
 namespace lcp {
 
-/// Runs `plan` into a new directory: env.json first, then rows.jsonl, a line per finished pair.
-/// Returns the number of rows. Throws std::invalid_argument if `directory` exists, UnwritableOutput
-/// where it cannot be written, and as run() does; rows finished before an interruption or an error
-/// stay. `plan.environment` is filled.
-std::size_t run_into(const std::filesystem::path& directory, RunPlan plan,
-                     const std::function<void(const Progress&)>& progress,
-                     const std::atomic<bool>& interrupted);
+/// A run directory holds
+///
+///     run.json     what was asked for (RunSettings)
+///     env.json     on what it ran; env-ID.json where a later session or another shard ran on
+///                  something else. A row names its environment by id.
+///     rows.jsonl   a line per finished pair
+///
+/// and the tables and chart derived from these. Every file but rows.jsonl appears in one piece, and
+/// rows.jsonl grows by whole lines: whatever ends the program, what stands there is right.
 
-/// Rows of a run directory. Throws UnreadableInput where they are missing or malformed.
+/// How run_into treats a directory that exists.
+enum class Existing {
+  refuse,
+  resume,  ///< Runs the pairs that have no row in it yet; begins it where there is none.
+};
+
+struct RunReport {
+  std::size_t rows_before = 0;  ///< Rows that stood there.
+  std::size_t rows = 0;         ///< Rows written now.
+};
+
+/// Runs `plan` into a directory. `plan.environment` and `plan.done` are filled. What a user should
+/// know but need not act on (the run goes on in another environment, from a changed tree) goes to
+/// `note`, a line each.
+///
+/// Throws std::invalid_argument when the directory exists and is not to be resumed, or was begun by
+/// another commit, as another shard or with other settings; UnreadableInput when its files are
+/// damaged; UnwritableOutput where it cannot be written; and as run() does. Rows finished before an
+/// interruption or an error stay.
+RunReport run_into(const std::filesystem::path& directory, RunPlan plan, const Origin& origin,
+                   Existing existing, const std::function<void(const std::string&)>& note,
+                   const std::function<void(const Progress&)>& progress,
+                   const std::atomic<bool>& interrupted);
+
+/// The pairs that have a row in a run directory; none where there is no such directory or no row.
+/// Throws UnreadableInput where rows are malformed.
+std::set<PairKey> pairs_done(const std::filesystem::path& directory);
+
+/// What a run directory says of its rows.
+struct RunHeader {
+  RunSettings settings;
+  std::vector<nlohmann::json> environments;  ///< env.json, then env-*.json by name.
+};
+
+/// Throws UnreadableInput, naming the file, where one is missing or malformed.
+RunHeader read_run_header(const std::filesystem::path& directory);
+
+/// All that a run directory holds.
+struct StoredRun {
+  std::filesystem::path directory;
+  RunSettings settings;
+  std::vector<nlohmann::json> environments;  ///< As in RunHeader.
+  std::vector<Record> rows;                  ///< By place, then by solver in the run's order.
+};
+
+/// Throws UnreadableInput, naming the file, where one is missing or malformed.
+StoredRun read_stored_run(const std::filesystem::path& directory);
+
+/// Writes a directory anew, in one piece. Throws std::invalid_argument if it exists,
+/// UnwritableOutput where it cannot be written.
+void write_stored_run(const StoredRun& run);
+
+/// Rows of a run directory in the order of read_stored_run; in file order where there is no
+/// run.json. Throws UnreadableInput where they are missing or malformed.
 std::vector<Record> read_run(const std::filesystem::path& directory);
 
 /// Writes table.txt, table.csv and table.json from the rows of a run directory, and returns the
