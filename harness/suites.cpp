@@ -76,11 +76,12 @@ const std::vector<Suite>& suites() {
        {{.family = "published"}, {.family = "squat-like"}, {.family = "draped-chain"}},
        own_solvers()},
       {"eight-cells",
-       "pivot tolerance, arithmetic and search, each on and off; needs --max-contacts 64",
+       "pivot tolerance, arithmetic and search, each on and off",
        {{.family = "draped-chain"},
         {.family = "squat-like"},
         {.family = "squat-like:contacts=64", .count = 60}},
-       eight_cells()},
+       eight_cells(),
+       64},
       {"small", "published instances", {{.family = "published"}}, own_solvers()},
   };
   return all;

@@ -20,6 +20,7 @@ struct Suite {
   std::string summary;
   std::vector<SuitePart> parts;
   std::vector<std::string> solvers;  ///< Spellings, as make_solvers takes them.
+  Index max_contacts = 60;           ///< Instances above get `not-run` rows.
 };
 
 const std::vector<Suite>& suites();

@@ -1,4 +1,5 @@
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <memory>
 #include <nlohmann/json.hpp>
@@ -6,6 +7,7 @@
 #include "harness/cli/verbs.h"
 #include "problems/features.h"
 #include "problems/io/load.h"
+#include "solvers/registry.h"
 
 namespace lcp::cli {
 
@@ -18,15 +20,27 @@ struct InfoArguments {
   bool json = false;
 };
 
+/// Least and greatest number.
 Json range(const VectorXd& numbers) {
   if (numbers.size() == 0) return nullptr;
-  return {numbers.minCoeff(), numbers.maxCoeff()};
+  return {{"least", numbers.minCoeff()}, {"greatest", numbers.maxCoeff()}};
 }
 
 template <class Number>
 Json or_null(const std::optional<Number>& number) {
   if (!number) return nullptr;
   return *number;
+}
+
+/// How many rows each of the first pivots could have taken: rows within the tie threshold of the
+/// minimum ratio, on the path of the lexicographic rule with its default options.
+Json ties_of_first_pivots(const Instance& instance) {
+  constexpr const char* rule = "lexicographic-revised:max_pivots=10";
+  Json ties = Json::array();
+  Call call;
+  call.observer = [&ties](const PivotEvent& pivot) { ties.push_back(pivot.tied); };
+  make_solver(rule).solver->solve(instance.problem, call);
+  return ties;
 }
 
 /// The features of an instance, named as they are printed.
@@ -43,6 +57,7 @@ Json describe(const Instance& instance) {
                {"condition", or_null(of.condition)},
                {"rank and condition of", of.contacts > 0 ? "W" : "M"},
                {"tied in q", of.tied_q},
+               {"tied at first pivots", ties_of_first_pivots(instance)},
                {"scales of z", range(instance.problem.s_z)},
                {"scales of w", range(instance.problem.s_w)},
                {"covering vector", instance.problem.c.size() > 0 ? "its own" : "1"},
@@ -55,7 +70,10 @@ Json describe(const Instance& instance) {
 std::string printed(const Json& value) {
   if (value.is_null()) return "unknown";
   if (value.is_string()) return value.get<std::string>();
-  if (value.is_array()) return fmt::format("{} ... {}", value[0].dump(), value[1].dump());
+  if (value.is_object())
+    return fmt::format("{} ... {}", value["least"].dump(), value["greatest"].dump());
+  if (value.is_array())
+    return value.empty() ? "no pivot" : fmt::format("{}", fmt::join(value, " "));
   return value.dump();
 }
 

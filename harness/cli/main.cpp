@@ -2,8 +2,10 @@
 #include <fmt/ranges.h>
 
 #include <cerrno>
+#include <csignal>
 #include <cstdio>
 #include <exception>
+#include <filesystem>
 #include <stdexcept>
 #include <string>
 #include <system_error>
@@ -49,6 +51,8 @@ int act(const Verb& verb, const std::string& who) {
     return complain(who, error.what(), unreadable_input);
   } catch (const UnwritableOutput& error) {
     return complain(who, error.what(), unwritable_output);
+  } catch (const std::filesystem::filesystem_error& error) {
+    return complain(who, error.what(), unreadable_input);
   } catch (const std::exception& error) {
     if (std::ferror(stdout) != 0) return complain_of_output(who);
     return complain(who, error.what(), system_failure);
@@ -102,4 +106,7 @@ int run_program(int argc, char** argv) {
 }  // namespace
 }  // namespace lcp::cli
 
-int main(int argc, char** argv) { return lcp::cli::run_program(argc, argv); }
+int main(int argc, char** argv) {
+  std::signal(SIGXFSZ, SIG_IGN);  // A file that may not grow is an error like a full disk.
+  return lcp::cli::run_program(argc, argv);
+}

@@ -34,10 +34,11 @@ RunPlan make_plan(const Measurement& measurement, std::vector<NamedSolver> solve
   plan.memory_bytes = parse_bytes(measurement.memory, "--memory");
   plan.tolerance = measurement.tolerance;
   plan.jobs = measurement.jobs;
-  plan.max_contacts = measurement.max_contacts;
   plan.solvers = std::move(solvers);
   plan.shard = parse_shard(measurement.shard);
   const std::string suite = suite_name(measurement);
+  plan.max_contacts = measurement.max_contacts.value_or(
+      suite.empty() ? plan.max_contacts : find_suite(suite).max_contacts);
   plan.instances = thinned(suite.empty() ? load(measurement.corpora) : generate(find_suite(suite)),
                            measurement.every, measurement.limit);
   return plan;
@@ -83,9 +84,8 @@ void add_options(CLI::App& page, Measurement& measurement) {
       ->check(CLI::Range(1, 1024))
       ->capture_default_str();
   page.add_option("--max-contacts", measurement.max_contacts,
-                  "Larger instances become not-run rows")
-      ->check(CLI::NonNegativeNumber)
-      ->capture_default_str();
+                  "Larger instances become not-run rows. Default: the suite's, or 60")
+      ->check(CLI::NonNegativeNumber);
   CLI::Option* limit =
       page.add_option("--limit", measurement.limit, "Only the first K instances of each corpus")
           ->check(CLI::PositiveNumber);

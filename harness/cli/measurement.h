@@ -1,6 +1,7 @@
 #pragma once
 
 #include <CLI/CLI.hpp>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -17,7 +18,7 @@ struct Measurement {
   std::string timeout = "10s";
   std::string memory = "2GiB";
   int jobs = 1;
-  Index max_contacts = 60;
+  std::optional<Index> max_contacts;  ///< The suite's, or 60, where it is not given.
   Index limit = 0;
   Index every = 1;
   bool dry_run = false;

@@ -246,16 +246,29 @@ TEST(Run, GivesTheSameRowsWithTwoJobsAsWithOne) {
   EXPECT_EQ(deterministic(), alone);
 }
 
-TEST(Run, LeavesNoChildWhenInterrupted) {
+TEST(Run, InterruptedKeepsWhatIsFinishedAndLeavesNoChild) {
   const LeavesNothingBehind guard;
-  RunPlan plan = plan_of({"liar", "sleeper"}, 3);
+  RunPlan plan = plan_of({"sleeper", "liar"}, 3);
   plan.jobs = 2;
+  plan.timeout = 300ms;
   std::atomic<bool> interrupted = false;
-  std::size_t records = 0;
+  std::vector<std::string> solvers;
   run(
-      plan, [&](const Record&) { ++records; },
+      plan, [&](const Record& record) { solvers.push_back(record.solver); },
       [&](const Progress& progress) { interrupted = progress.done == 2; }, interrupted);
-  EXPECT_EQ(records, 0u) << "both instances were given up while their sleepers slept";
+  EXPECT_EQ(solvers.size(), 2u) << "of two instances, the third was not begun";
+}
+
+TEST(Run, LeavesOutOtherShardsAndPairsThatAreDone) {
+  RunPlan plan = plan_of({"lemke", "liar"}, 5);
+  plan.shard = {1, 2};
+  plan.done = {{"identity/3", plan.instances[3].sha256, "lemke", "cold"}};
+  EXPECT_EQ(open_pairs(plan).size(), 3u);
+  std::vector<std::string> ran;
+  for (const Record& record : records_of(plan))
+    ran.push_back(record.instance + " " + record.solver + " " + std::to_string(record.place));
+  EXPECT_EQ(ran, (std::vector<std::string>{"identity/1 lemke 1", "identity/1 liar 1",
+                                           "identity/3 liar 3"}));
 }
 
 TEST(Run, LeavesNoChildWhenARecordCannotBeKept) {
@@ -281,6 +294,7 @@ TEST(Run, RefusesAPlanThatMakesNoSense) {
   refused([](RunPlan& plan) { plan.max_samples = 0; });
   refused([](RunPlan& plan) { plan.spread = std::numeric_limits<double>::quiet_NaN(); });
   refused([](RunPlan& plan) { plan.tolerance = -1; });
+  refused([](RunPlan& plan) { plan.shard = {2, 2}; });
   refused([](RunPlan& plan) { plan.instances[0].problem.s_z(0) = 0; });
 }
 

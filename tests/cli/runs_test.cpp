@@ -1,0 +1,137 @@
+// Runs that are resumed, shared out, merged and compared, through the command line.
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <functional>
+#include <nlohmann/json.hpp>
+#include <sstream>
+
+#include "tests/cli/program.h"
+#include "tests/harness/temporary_directory.h"
+
+namespace lcp {
+namespace {
+
+using Json = nlohmann::json;
+
+class Runs : public testing::Test {
+ protected:
+  Ran run(const std::vector<std::string>& arguments, const std::string& interrupt_when = "") {
+    return run_program(LCPBENCH, arguments, directory_.path(), interrupt_when);
+  }
+  /// Two published instances and two solvers into `out`.
+  Ran measure(const std::string& out, const std::vector<std::string>& more = {}) {
+    std::vector<std::string> words = {"run",      "--corpus",   "p.hdf5", "--solver", "lemke",
+                                      "--solver", "best-first", "--out",  out};
+    words.insert(words.end(), more.begin(), more.end());
+    return run(words);
+  }
+  void SetUp() override {
+    ASSERT_EQ(run({"generate", "published", "--count", "2", "--out", "p.hdf5"}).status, 0);
+  }
+  void expect_complaint(const Ran& ran, int status, const std::string& words) {
+    EXPECT_EQ(ran.status, status) << ran.err;
+    EXPECT_EQ(std::count(ran.err.begin(), ran.err.end(), '\n'), 1) << ran.err;
+    EXPECT_NE(ran.err.find(words), std::string::npos) << ran.err;
+  }
+  std::string file(const std::string& name) const { return directory_.file(name); }
+  std::ptrdiff_t rows(const std::string& name) const {
+    const std::string text = read_text(file(name + "/rows.jsonl"));
+    return std::count(text.begin(), text.end(), '\n');
+  }
+  /// Changes every row of a run.
+  void doctor(const std::string& name, const std::function<void(Json&)>& change) {
+    std::istringstream lines(read_text(file(name + "/rows.jsonl")));
+    std::string changed;
+    for (std::string line; std::getline(lines, line);) {
+      Json row = Json::parse(line);
+      change(row);
+      changed += row.dump() + "\n";
+    }
+    write_text(file(name + "/rows.jsonl"), changed);
+  }
+
+ private:
+  const TemporaryDirectory directory_;
+};
+
+TEST_F(Runs, ResumeGoesOnWithWhatIsThereAndBeginsWhereNothingIs) {
+  const Ran first = measure("r", {"--resume"});
+  EXPECT_EQ(first.status, 0) << first.err;
+  EXPECT_NE(first.err.find("0 rows stood there, 4 are new"), std::string::npos) << first.err;
+  std::string text = read_text(file("r/rows.jsonl"));
+  text.resize(text.find('\n') + 40);
+  write_text(file("r/rows.jsonl"), text);
+  const Ran second = measure("r", {"--resume"});
+  EXPECT_EQ(second.status, 0) << second.err;
+  EXPECT_NE(second.err.find("1 rows stood there, 3 are new"), std::string::npos) << second.err;
+  EXPECT_EQ(rows("r"), 4);
+}
+
+TEST_F(Runs, ResumeRefusesAnotherQuestion) {
+  ASSERT_EQ(measure("r").status, 0);
+  expect_complaint(measure("r", {"--resume", "--tolerance", "1e-9"}), 2,
+                   "tolerance 1e-06, 1e-09; name a new directory with --out");
+  EXPECT_EQ(rows("r"), 4);
+}
+
+TEST_F(Runs, ADryRunTellsWhatIsLeftAndHowLongItTakes) {
+  const Ran before = measure("runs/r", {"--dry-run"});
+  EXPECT_NE(before.err.find("4 that no run below runs/ has measured: at most 40 s"),
+            std::string::npos)
+      << before.err;
+  ASSERT_EQ(measure("runs/r").status, 0);
+  const Ran after = measure("runs/s", {"--dry-run"});
+  EXPECT_NE(after.err.find("expected: "), std::string::npos) << after.err;
+  EXPECT_NE(after.err.find("for 4 of them"), std::string::npos) << after.err;
+  EXPECT_EQ(measure("runs/r", {"--dry-run", "--resume"}).out, "");
+}
+
+TEST_F(Runs, ShardsHaveDirectoriesOfTheirOwnAndMergeIntoTheWhole) {
+  for (const char* shard : {"1/2", "2/2"}) {
+    const Ran ran = run({"run", "--corpus", "p.hdf5", "--solver", "lemke", "--shard", shard});
+    EXPECT_EQ(ran.status, 0) << ran.err;
+  }
+  const Ran merged = run({"merge", "runs/p-1of2", "runs/p-2of2", "whole"});
+  EXPECT_EQ(merged.status, 0) << merged.err;
+  EXPECT_EQ(merged.out, read_text(file("whole/table.txt")));
+  EXPECT_EQ(rows("whole"), 2);
+  expect_complaint(run({"merge", "runs/p-1of2", "runs/p-2of2", "whole"}), 2, "whole exists");
+  expect_complaint(run({"merge", "runs/p-1of2", "runs/p-1of2", "twice"}), 2, "both hold lemke");
+  expect_complaint(run({"merge", "runs/p-1of2", "nowhere", "x"}), 3, "nowhere/run.json");
+  EXPECT_FALSE(std::filesystem::exists(file("twice")));
+}
+
+TEST_F(Runs, AShardThatCannotBeIsRefused) {
+  expect_complaint(measure("r", {"--shard", "3/2"}), 2, "--shard 3/2: expected I/N");
+}
+
+TEST_F(Runs, CompareListsRegressionsAndFailsOnThem) {
+  ASSERT_EQ(measure("old").status, 0);
+  ASSERT_EQ(measure("new").status, 0);
+  EXPECT_EQ(run({"compare", "old", "new", "--time-ratio", "1000"}).status, 0);
+  doctor("new", [](Json& row) {
+    row["work"]["pivots"] = 2 * row["work"]["pivots"].get<int>();
+    if (row["instance"] == "published/kostreva-1" && row["solver"] == "best-first")
+      row["verdict"] = "limit";
+  });
+  const Ran worse = run({"compare", "old", "new", "--time-ratio", "1000"});
+  EXPECT_EQ(worse.status, 1);
+  EXPECT_EQ(worse.out.rfind("lost ", 0), 0u) << worse.out;
+  EXPECT_NE(worse.out.find("solved -> limit"), std::string::npos) << worse.out;
+  const Json json =
+      Json::parse(run({"compare", "old", "new", "--time-ratio", "1000", "--json"}).out);
+  EXPECT_EQ(json.at("compared"), 4);
+  EXPECT_EQ(json.at("regressions")[0].at("kind"), "lost");
+  expect_complaint(run({"compare", "old", "nowhere"}), 3, "nowhere/run.json");
+}
+
+TEST_F(Runs, SuitesTellWhenTheyWereLastMeasured) {
+  EXPECT_NE(run({"list", "suites"}).out.find("not measured below runs/ or results/"),
+            std::string::npos);
+}
+
+}  // namespace
+}  // namespace lcp
