@@ -10,6 +10,9 @@
 
 #include "problems/published.h"
 
+#include "problems/classic_lcps.h"
+#include "problems/games.h"
+
 namespace lcp {
 
 namespace {
@@ -32,16 +35,6 @@ struct Entry {
 };
 
 using Entries = std::vector<Entry>;
-
-/// The limit of families whose number of pivots doubles with every row.
-Index exponential_limit(Index n) { return Index{1} << (n + 1); }
-
-/// Unit lower triangular with 2 below the diagonal.
-MatrixXd unit_lower_with_twos(Index n) {
-  MatrixXd L = MatrixXd::Constant(n, n, 2).triangularView<Eigen::StrictlyLower>();
-  L.diagonal().setOnes();
-  return L;
-}
 
 // --- Problems on which the rule for ties decides ---
 
@@ -218,112 +211,55 @@ Entries handbook_exponential() {
   };
 }
 
-/// q_i = -(2^(n-i+1) + ... + 2^n); exactly 2^n pivots and no tie.
-Entry murty_exponential(Index n) {
-  VectorXd q(n);
-  double sum = 0;
-  for (Index i = 0; i < n; ++i) q(i) = -(sum += std::ldexp(1, static_cast<int>(n - i)));
-  const VectorXd z = VectorXd::Unit(n, 0) * std::ldexp(1, static_cast<int>(n));
-  const Index pivots = Index{1} << n;
-  return {
-      .name = "murty-exponential-" + std::to_string(n),
-      .source = "Murty, chapter 6; Siconos (exp_murty2, in reversed order); QuantEcon",
-      .M = unit_lower_with_twos(n),
-      .q = q,
-      .solution = z,
-      .expected = {{lemke, Claim::solved, pivots, z}, {lexicographic, Claim::solved, pivots, z}},
-      .pivot_limit = exponential_limit(n)};
+/// `stem`-n, with expectations that the callers know.
+Entry classic(const std::string& stem, const ClassicLcp& lcp,
+              std::vector<ExpectedOutcome> expected) {
+  return {.name = stem + "-" + std::to_string(lcp.q.size()),
+          .source = lcp.source,
+          .M = lcp.M,
+          .q = lcp.q,
+          .solution = lcp.solution,
+          .expected = std::move(expected),
+          .pivot_limit = lcp.pivot_limit};
 }
 
-/// M = LL' (variant 1), LL' + 4 (2), LL' - 4 outside the first column (3); q = -1. Nearly every
-/// ratio test is tied, and the lexicographic rule needs 2^n pivots where the first index needs 2.
-Entry fathi(int variant, Index n) {
-  const MatrixXd L = unit_lower_with_twos(n);
-  MatrixXd M = L * L.transpose();
-  if (variant == 2) M.array() += 4;
-  if (variant == 3) M.rightCols(n - 1).array() -= 4;
-  const VectorXd z = VectorXd::Unit(n, 0) / M(0, 0);
-  return {
-      .name = "fathi-" + std::to_string(variant) + "-" + std::to_string(n),
-      .source =
-          "Y. Fathi, Computational complexity of LCPs associated with positive definite "
-          "symmetric matrices, Mathematical Programming 17, 1979; hnm4lcp",
-      .M = M,
-      .q = VectorXd::Constant(n, -1),
-      .solution = z,
-      .expected = {{lemke, Claim::solved, 2, z}, {lexicographic, Claim::solved, Index{1} << n, z}},
-      .pivot_limit = exponential_limit(n)};
+Entry exponential_murty(Index n) {
+  const ClassicLcp lcp = murty_exponential(n);
+  const Index pivots = Index{1} << n;
+  return classic("murty-exponential", lcp,
+                 {{lemke, Claim::solved, pivots, lcp.solution},
+                  {lexicographic, Claim::solved, pivots, lcp.solution}});
+}
+
+Entry exponential_fathi(int variant, Index n) {
+  const ClassicLcp lcp = fathi(variant, n);
+  return classic("fathi-" + std::to_string(variant), lcp,
+                 {{lemke, Claim::solved, 2, lcp.solution},
+                  {lexicographic, Claim::solved, Index{1} << n, lcp.solution}});
 }
 
 // --- Problems that are hard for other methods than pivoting ---
 
-/// An M-matrix whose handicap grows exponentially, which slows interior points down; x = 1, 0, 1 ...
-Entry csizmadia(Index n) {
-  const MatrixXd M =
-      2 * MatrixXd::Identity(n, n) - MatrixXd(MatrixXd::Ones(n, n).triangularView<Eigen::Lower>());
-  VectorXd x(n);
-  for (Index i = 0; i < n; ++i) x(i) = i % 2 == 0 ? 1 : 0;
-  return {.name = "csizmadia-" + std::to_string(n),
-          .source =
-              "E. de Klerk, M. E.-Nagy, On the complexity of computing the handicap of a "
-              "sufficient matrix, Mathematical Programming 129, 2011; hnm4lcp",
-          .M = M,
-          .q = VectorXd::Ones(n) - x - M * x,
-          .solution = x,
-          .expected = {{lexicographic, Claim::solved, {}, x}}};
+Entry hard_for_interior_points(Index n) {
+  const ClassicLcp lcp = csizmadia(n);
+  return classic("csizmadia", lcp, {{lexicographic, Claim::solved, {}, lcp.solution}});
 }
 
-/// A P-matrix on which the Newton-min method cycles from -e_1; z = 0 solves it.
-Entry ben_gharbia_gilbert(Index n) {
-  MatrixXd M = MatrixXd::Identity(n, n);
-  for (Index j = 0; j < n; ++j) {
-    M((j + 1) % n, j) = n % 2 == 1 ? 2 : 4.0 / 3;
-    if (n % 2 == 0) M((j + 2) % n, j) = 0.5;
-  }
-  const VectorXd zero = VectorXd::Zero(n);
-  return {.name = "ben-gharbia-gilbert-" + std::to_string(n),
-          .source =
-              "I. Ben Gharbia, J. Ch. Gilbert, Nonconvergence of the plain Newton-min "
-              "algorithm for linear complementarity problems with a P-matrix, Mathematical "
-              "Programming 134, 2012; hnm4lcp",
-          .M = M,
-          .q = VectorXd::Ones(n),
-          .solution = zero,
-          .expected = {{lemke, Claim::solved, 0, zero}, {lexicographic, Claim::solved, 0, zero}}};
+Entry hard_for_newton_min(Index n) {
+  const ClassicLcp lcp = ben_gharbia_gilbert(n);
+  return classic(
+      "ben-gharbia-gilbert", lcp,
+      {{lemke, Claim::solved, 0, lcp.solution}, {lexicographic, Claim::solved, 0, lcp.solution}});
 }
 
 // --- Games ---
 
-/// The equilibria of a bimatrix game as an LCP in (x, y, s+, s-, t+, t-): costs max A - A and
-/// max B - B, strategies x and y, and 1'x = 1, 1'y = 1 as pairs of inequalities, repeated for every
-/// strategy. A is rows x columns, the payoffs of the row player; B likewise those of the other.
-Problem game(const MatrixXd& A, const MatrixXd& B) {
-  const Index m = A.rows(), k = A.cols();
-  const Index y = m, s_plus = m + k, s_minus = s_plus + m, t_plus = s_minus + m,
-              t_minus = t_plus + k, n = t_minus + k;
-  Problem lcp;
-  lcp.M = MatrixXd::Zero(n, n);
-  lcp.M.block(0, y, m, k) = A.maxCoeff() - A.array();
-  lcp.M.block(y, 0, k, m) = (B.maxCoeff() - B.array()).transpose();
-  lcp.q = VectorXd::Zero(n);
-  const auto require_sum_one = [&](Index strategy, Index plus, Index minus, Index size) {
-    lcp.M.block(strategy, plus, size, size).setOnes();
-    lcp.M.block(strategy, minus, size, size).setConstant(-1);
-    lcp.M.block(plus, strategy, size, size).setConstant(-1);
-    lcp.M.block(minus, strategy, size, size).setOnes();
-    lcp.q.segment(plus, size).setOnes();
-    lcp.q.segment(minus, size).setConstant(-1);
-  };
-  require_sum_one(0, s_plus, s_minus, m);
-  require_sum_one(y, t_plus, t_minus, k);
-  return lcp;
-}
-
-/// M is copositive-plus and the problem feasible, so that Lemke with a sound rule for ties solves
-/// it; the first index does not. Both players choosing their third strategy is an equilibrium.
+/// Lemke with a sound rule for ties solves it (see game_lcp); the first index does not. Both players
+/// choosing their third strategy is an equilibrium.
 Entry nashpy_degenerate_game() {
+  const MatrixXd A{{1, 3, 3}, {3, 1, 3}, {1, 3, 3}}, B{{3, 3, 1}, {1, 1, 3}, {3, 1, 3}};
   const Problem lcp =
-      game(MatrixXd{{1, 3, 3}, {3, 1, 3}, {1, 3, 3}}, MatrixXd{{3, 3, 1}, {1, 1, 3}, {3, 1, 3}});
+      game_lcp(A.maxCoeff() - A.array(), B.maxCoeff() - B.array(), A.rows(), A.cols());
   return {.name = "nashpy-degenerate-game",
           .source =
               "game of Nashpy's test_lemke_howson_lex, as an LCP by QuantEcon's "
@@ -344,10 +280,11 @@ Entries whole_table() {
   append(textbook());
   append(perturbed());
   append({nashpy_degenerate_game()});
-  append({csizmadia(8), ben_gharbia_gilbert(5), ben_gharbia_gilbert(6)});
+  append({hard_for_interior_points(8), hard_for_newton_min(5), hard_for_newton_min(6)});
   append(handbook_exponential());
-  append({murty_exponential(4), murty_exponential(8), murty_exponential(12)});
-  for (const int variant : {1, 2, 3}) append({fathi(variant, 4), fathi(variant, 8)});
+  append({exponential_murty(4), exponential_murty(8), exponential_murty(12)});
+  for (const int variant : {1, 2, 3})
+    append({exponential_fathi(variant, 4), exponential_fathi(variant, 8)});
   return all;
 }
 
