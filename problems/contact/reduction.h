@@ -12,7 +12,7 @@ struct ContactPoint {
   Eigen::Vector3d normal;      ///< Unit, from body 2 to body 1, world axes.
   double depth = 0;            ///< m: overlap, negative where there is a gap.
   double normal_velocity = 0;  ///< m/s: of body 1 relative to body 2, positive where they separate.
-  ContactId id;
+  ContactId id = {};
 };
 
 /// Which contact points are superfluous.
