@@ -63,4 +63,17 @@ VectorXd FrameSeries::add(const ContactProblem& frame, double time, const std::s
   return forces;
 }
 
+Instance lone_frame(const std::string& scene, Index number, const ContactProblem& frame,
+                    const FrictionModel& model, const NamedSolver& driver,
+                    std::map<std::string, std::string> provenance) {
+  provenance["scene"] = scene;
+  provenance["driver"] = driver.spelling;
+  provenance["contact_ids"] = spell_ids(frame.contacts);
+  Instance instance = make_instance(fmt::format("{}/{:04}", scene, number),
+                                    friction_lcp(frame, model), std::move(provenance));
+  instance.active_contacts =
+      active_contacts(driver.solver->solve(frictionless_lcp(frame)), frame.size());
+  return instance;
+}
+
 }  // namespace lcp

@@ -39,4 +39,11 @@ class FrameSeries {
   std::vector<Instance> instances_;
 };
 
+/// A frame that stands alone: instance scene/`number` (four digits) of the frictional LCP. `driver`
+/// solves its frictionless LCP only, for `active_contacts`. Provenance: what is given and scene,
+/// driver, contact_ids.
+Instance lone_frame(const std::string& scene, Index number, const ContactProblem& frame,
+                    const FrictionModel& model, const NamedSolver& driver,
+                    std::map<std::string, std::string> provenance);
+
 }  // namespace lcp

@@ -19,11 +19,11 @@
 
 #include <cmath>
 #include <numbers>
-#include <random>
 #include <stdexcept>
 
 #include "problems/contact/frame_series.h"
 #include "problems/families/contact/bead_chain.h"
+#include "problems/families/contact/seeded_numbers.h"
 #include "problems/registry.h"
 
 namespace lcp {
@@ -115,11 +115,6 @@ BeadChain drape(const ChainKnobs& knobs) {
   const double corner = std::hypot(link_distance(knobs), knobs.link_length / 2);
   chain.head << -corner, 0, -static_cast<double>(rising) * knobs.link_length;
   return chain;
-}
-
-/// Uniform in [-1, 1), from the generator's own bits: the library's distributions are not portable.
-double symmetric_unit(std::mt19937_64& random) {
-  return std::ldexp(static_cast<double>(random() >> 11), -52) - 1;
 }
 
 /// A velocity that the joints allow: along the chain, and along the rod in one to three half waves.

@@ -26,6 +26,7 @@
 #include <stdexcept>
 
 #include "problems/contact/frame_series.h"
+#include "problems/families/contact/rigid_bodies.h"
 #include "problems/registry.h"
 
 namespace lcp {
@@ -90,8 +91,7 @@ class Squat {
   Squat(const SquatKnobs& knobs, std::uint64_t seed) : knobs_(knobs), points_(sole_points(knobs)) {
     // A box as large as the robot's body.
     const Vector3d box(0.15, 0.20, 0.50);
-    const Vector3d squares = box.cwiseAbs2();
-    inertia_ = knobs.mass / 12 * (Vector3d::Constant(squares.sum()) - squares);
+    inertia_ = box_inertia(knobs.mass, box);
     // Multiples of the golden ratio are spread evenly; seed 1 stands for no shift.
     const double turns = static_cast<double>(seed - 1) * std::numbers::phi;
     phase_ = kLargestPhaseShift * (turns - std::floor(turns));
@@ -107,13 +107,10 @@ class Squat {
       problem.contacts.push_back(make_contact(Vector3d::UnitZ(), Vector3d::UnitX(), knobs_.mu,
                                               {1, 0, static_cast<Index>(i)}));
     const MatrixXd axes = contact_axes(problem.contacts);
-    // Columns of A: what a unit force along an axis does to (sqrt(m) v_c, sqrt(I) omega).
+    const RigidBody body{.mass = knobs_.mass, .inertia = inertia_, .centre = r};
     MatrixXd A(6, axes.rows());
-    for (Index row = 0; row < axes.rows(); ++row) {
-      const Vector3d axis = axes.row(row).transpose();
-      A.col(row) << axis / std::sqrt(knobs_.mass),
-          (points_[row / 3] - r).cross(axis).cwiseQuotient(inertia_.cwiseSqrt());
-    }
+    for (Index row = 0; row < axes.rows(); ++row)
+      A.col(row) = weighted_push(body, points_[row / 3], axes.row(row).transpose());
     problem.W = delassus_matrix(A, knobs_.dt);
     problem.v_before = velocities(axes, momentum_, time - knobs_.dt);
     problem.vbar = velocities(axes, momentum_ + knobs_.dt * knobs_.mass * gravity(), time);
@@ -138,20 +135,14 @@ class Squat {
 
   static Vector3d gravity() { return {0, 0, -kGravity}; }
 
-  /// Points at equal shares of each edge, from the front left corner, both soles alike.
+  /// Along the edges of either sole, from the front left corner, both soles alike.
   static std::vector<Vector3d> sole_points(const SquatKnobs& knobs) {
-    const double x = knobs.sole_length / 2, y = knobs.sole_width / 2;
-    const Vector3d corners[] = {{x, y, 0}, {-x, y, 0}, {-x, -y, 0}, {x, -y, 0}};
-    const Index per_foot = knobs.contacts / 2;
     std::vector<Vector3d> points;
-    for (const double side : {1.0, -1.0}) {
-      const Vector3d centre(0, side * knobs.stance / 2, 0);
-      for (Index k = 0; k < per_foot; ++k) {
-        const Index edge = 4 * k / per_foot;
-        const double share = static_cast<double>(4 * k % per_foot) / static_cast<double>(per_foot);
-        points.push_back(centre + (1 - share) * corners[edge] + share * corners[(edge + 1) % 4]);
-      }
-    }
+    for (const double side : {1.0, -1.0})
+      for (const Vector3d& point :
+           rectangle_outline(Vector3d(0, side * knobs.stance / 2, 0), knobs.sole_length,
+                             knobs.sole_width, knobs.contacts / 2))
+        points.push_back(point);
     return points;
   }
 
