@@ -53,6 +53,75 @@ const std::vector<std::string>& eight_cells() {
   return all;
 }
 
+/// Table I, with the paper's constants in its units, and the best-first search as it describes it.
+const std::vector<std::string>& paper_columns() {
+  static const std::vector<std::string> all = {
+      "lemke",
+      "lexicographic:delta=0",
+      "lexicographic:delta=1e-8",
+      "lexicographic:delta=1e-6",
+      "lexicographic:delta=1e-4",
+      "best-first-tableau:max_nodes=300",
+      "best-first:epsilon=1e-3,e_max=1e-3,polish=off,scale=off",
+  };
+  return all;
+}
+
+using Parts = std::vector<SuitePart>;
+
+Parts small_parts() {
+  return {{.family = "published"},
+          {.family = "ben-gharbia-gilbert"},
+          {.family = "bimatrix"},
+          {.family = "csizmadia"},
+          {.family = "fathi"},
+          {.family = "fathi:variant=2"},
+          {.family = "fathi:variant=3"},
+          {.family = "murty"},
+          {.family = "random-p"},
+          {.family = "random-p:kind=dominant"},
+          {.family = "random-p:kind=triangular"},
+          {.family = "semidefinite"},
+          {.family = "semidefinite:integer=on"}};
+}
+
+Parts contact_parts() {
+  return {{.family = "squat-like"},
+          {.family = "draped-chain"},
+          {.family = "body-on-plane"},
+          {.family = "body-on-plane:layout=collinear"},
+          {.family = "body-on-plane:layout=duplicated"},
+          {.family = "body-on-plane:layout=noisy"},
+          {.family = "body-on-plane:motion=sliding"},
+          {.family = "peg-in-hole"},
+          {.family = "stack"},
+          {.family = "stack:mass_ratio=10"}};
+}
+
+constexpr Index largest_scaled = 128;  // Contacts.
+
+Parts scaling_parts() {
+  Parts parts;
+  for (const char* family :
+       {"body-on-plane:contacts=8", "body-on-plane:contacts=32", "body-on-plane:contacts=64",
+        "body-on-plane:contacts=128", "draped-chain:links=13,wrapped=6",
+        "draped-chain:links=52,wrapped=26", "draped-chain:links=100,wrapped=50", "stack:bodies=2",
+        "stack:bodies=8", "stack:bodies=16", "stack:bodies=32"})
+    parts.push_back({.family = family, .count = 5});
+  return parts;
+}
+
+Parts joined(const std::vector<Parts>& all) {
+  Parts together;
+  for (const Parts& parts : all) together.insert(together.end(), parts.begin(), parts.end());
+  return together;
+}
+
+Parts thinned_to(Index every, Parts parts) {
+  for (SuitePart& part : parts) part.every = every;
+  return parts;
+}
+
 constexpr std::uint64_t suite_seed = 1;
 
 Index drawn(const SuitePart& part) {
@@ -67,13 +136,15 @@ Index drawn(const SuitePart& part) {
 
 const std::vector<Suite>& suites() {
   static const std::vector<Suite> all = {
-      {"contact",
-       "both contact families in full",
-       {{.family = "squat-like"}, {.family = "draped-chain"}},
-       own_solvers()},
+      {"contact", "every contact family in full", contact_parts(), own_solvers()},
       {"default",
-       "published instances and both contact families; under two minutes on two cores",
-       {{.family = "published"}, {.family = "squat-like"}, {.family = "draped-chain"}},
+       "published instances and the contact families, thinned; under two minutes on two cores",
+       {{.family = "published"},
+        {.family = "squat-like", .every = 4},
+        {.family = "draped-chain", .every = 2},
+        {.family = "body-on-plane", .every = 5},
+        {.family = "peg-in-hole", .every = 5},
+        {.family = "stack", .every = 5}},
        own_solvers()},
       {"eight-cells",
        "pivot tolerance, arithmetic and search, each on and off",
@@ -82,7 +153,22 @@ const std::vector<Suite>& suites() {
         {.family = "squat-like:contacts=64", .count = 60}},
        eight_cells(),
        64},
-      {"small", "published instances", {{.family = "published"}}, own_solvers()},
+      {"full", "all of small, contact and scaling",
+       joined({small_parts(), contact_parts(), scaling_parts()}), own_solvers(), largest_scaled},
+      {"paper",
+       "the columns of the paper's tables, with its constants, on the families nearest to its "
+       "scenes",
+       {{.family = "squat-like"}, {.family = "draped-chain"}},
+       paper_columns()},
+      {"peers",
+       "every solver there is, outside ones included where they are built in, on all kinds of "
+       "problem",
+       thinned_to(5, joined({small_parts(), contact_parts()})),
+       {"all"}},
+      {"scaling", "contact families, from few contacts to many", scaling_parts(), own_solvers(),
+       largest_scaled},
+      {"small", "published instances and every generated family without contacts", small_parts(),
+       own_solvers()},
   };
   return all;
 }

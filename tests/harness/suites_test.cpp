@@ -12,8 +12,16 @@ namespace lcp {
 namespace {
 
 TEST(Suites, NameOnlySolversThatExistAndEachOnce) {
-  for (const Suite& suite : suites())
-    EXPECT_EQ(make_solvers(suite.solvers).size(), suite.solvers.size()) << suite.name;
+  for (const Suite& suite : suites()) {
+    if (suite.solvers != std::vector<std::string>{"all"})
+      EXPECT_EQ(make_solvers(suite.solvers).size(), suite.solvers.size()) << suite.name;
+    EXPECT_FALSE(make_solvers(suite.solvers).empty()) << suite.name;
+  }
+}
+
+TEST(Suites, AreThoseTheUserWasPromised) {
+  for (const char* name : {"default", "small", "contact", "paper", "peers", "scaling", "full"})
+    EXPECT_GT(size(find_suite(name)), 0) << name;
 }
 
 TEST(Suites, NameOnlyFamiliesThatExist) {
