@@ -3,9 +3,10 @@
 int main() {
   std::vector<lcp::Instance> corpus;
   for (int k = 1; k <= 10; ++k) {
-    lcp::Problem problem{.M = lcp::MatrixXd::Identity(k, k), .q = lcp::VectorXd::Constant(k, -1)};
-    lcp::set_plain_scales(problem);
-    corpus.push_back(lcp::make_instance("mine/" + std::to_string(k), problem, {}));
+    lcp::Problem problem;
+    problem.M = lcp::MatrixXd::Identity(k, k);
+    problem.q = lcp::VectorXd::Constant(k, -1);
+    corpus.push_back(make_instance("mine/" + std::to_string(k), problem, {}));
   }
-  lcp::save_instances("mine.hdf5", corpus);
+  save_instances("mine.hdf5", corpus);
 }
