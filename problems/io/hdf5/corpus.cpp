@@ -207,19 +207,19 @@ Instance read_stored_lcp(const GroupReader& group, const std::string& name) {
 /// An instance whose group holds contacts alone: a file of FCLIB, or a group copied from one.
 Instance read_contacts(const GroupReader& group, const std::string& name,
                        const ReadOptions& options) {
-  const Index most_contacts = largest_rows / (2 + 2);  // with 2 directions
-  FclibLocal local = read_fclib_local(group, most_contacts);
+  const GroupReader problem = group.group("fclib_local");
+  const Index dimension = problem.integer("spacedim");
+  const Index contacts = problem.group("vectors").vector("mu").size();
+  require_readable_size(contacts, dimension, options, problem.place());
+  FclibLocal local = read_fclib_local(group, contacts);
   std::map<std::string, std::string> provenance = read_provenance(group);
   provenance["format"] = "FCLIB local problem";
   provenance["storage"] = local.storage;
-  const GroupReader problem = group.group("fclib_local");
   if (problem.has_group("info")) {
     const GroupReader info = problem.group("info");
     for (const char* key : {"title", "description"})
       if (const std::string text = info.text(key); !text.empty()) provenance[key] = text;
   }
-  if (group.has_group("solution"))
-    provenance["note"] = "the file holds a solution of the Coulomb cone's problem";
   Instance instance = contact_instance(name, std::move(local.contacts), options,
                                        std::move(provenance), problem.place());
   require_hash(group, instance);

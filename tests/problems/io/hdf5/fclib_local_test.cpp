@@ -23,13 +23,13 @@ class FclibFile : public testing::Test {
     VectorXd x;
   };
 
-  void write(int dimension, int rows, const Matrix& W, const VectorXd& q, const VectorXd& mu) {
+  void write(int dimension, int size, const Matrix& W, const VectorXd& q, const VectorXd& mu) {
     H5::H5File file(path, H5F_ACC_TRUNC);
     H5::Group problem = file.createGroup("fclib_local");
     hdf5::write(problem, "spacedim", Integers{dimension});
     H5::Group matrix = problem.createGroup("W");
-    hdf5::write(matrix, "m", Integers{rows});
-    hdf5::write(matrix, "n", Integers{rows});
+    hdf5::write(matrix, "m", Integers{size});
+    hdf5::write(matrix, "n", Integers{size});
     hdf5::write(matrix, "nz", Integers{W.nz});
     hdf5::write(matrix, "nzmax", Integers{static_cast<int>(W.x.size())});
     hdf5::write(matrix, "p", W.p);
