@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <openssl/evp.h>
 
+#include <algorithm>
 #include <bit>
 #include <memory>
 #include <stdexcept>
@@ -20,10 +21,7 @@ class NumberHash {
     require(context_ && EVP_DigestInit_ex(context_.get(), EVP_sha256(), nullptr) == 1);
   }
 
-  void add(double value) {
-    const double unsigned_zero = value + 0.0;  // -0 + 0 is +0; every other number stays as it is.
-    require(EVP_DigestUpdate(context_.get(), &unsigned_zero, sizeof unsigned_zero) == 1);
-  }
+  void add(double value) { add(&value, 1); }
 
   /// Counts and row numbers, which a double holds exactly.
   void add(Index value) { add(static_cast<double>(value)); }
@@ -32,8 +30,7 @@ class NumberHash {
   void add(const MatrixXd& numbers) {
     add(numbers.rows());
     add(numbers.cols());
-    for (Index j = 0; j < numbers.cols(); ++j)
-      for (Index i = 0; i < numbers.rows(); ++i) add(numbers(i, j));
+    add(numbers.data(), numbers.size());
   }
 
   void add(const std::vector<Index>& numbers) {
@@ -51,6 +48,19 @@ class NumberHash {
   }
 
  private:
+  /// OpenSSL takes many numbers at once: one at a time costs five times as much.
+  void add(const double* numbers, Index count) {
+    constexpr Index most = 4096;
+    double buffer[most];
+    for (Index done = 0; done < count; done += most) {
+      const Index size = std::min(most, count - done);
+      // -0 + 0 is +0; every other number stays as it is.
+      for (Index i = 0; i < size; ++i) buffer[i] = numbers[done + i] + 0.0;
+      const std::size_t bytes = sizeof(double) * static_cast<std::size_t>(size);
+      require(EVP_DigestUpdate(context_.get(), buffer, bytes) == 1);
+    }
+  }
+
   static void require(bool done) {
     if (!done) throw std::runtime_error("OpenSSL refuses to compute a SHA-256");
   }

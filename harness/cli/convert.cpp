@@ -2,6 +2,7 @@
 
 #include <memory>
 
+#include "harness/cli/reading.h"
 #include "harness/cli/verbs.h"
 #include "problems/io/load.h"
 
@@ -12,10 +13,11 @@ namespace {
 struct ConvertArguments {
   std::string in;
   std::string out;
+  ReadOptions reading;
 };
 
 int convert(const ConvertArguments& arguments) {
-  const std::vector<Instance> instances = load_instances(arguments.in);
+  const std::vector<Instance> instances = load_instances(arguments.in, {}, arguments.reading);
   save_instances(arguments.out, instances);
   fmt::print(stderr, "{} instance{} in {}\n", instances.size(),
              instances.size() == 1 ? " is" : "s are", arguments.out);
@@ -29,6 +31,7 @@ Verb add_convert(CLI::App& program) {
   auto arguments = std::make_shared<ConvertArguments>();
   page->add_option("IN", arguments->in, "FILE, FILE#NAME or directory")->required();
   page->add_option("OUT", arguments->out, "File to write; its ending says the format")->required();
+  add_reading_option(*page, arguments->reading);
   page->footer("Example:\n  lcpbench convert squat.hdf5#squat-like/0003 third.M.mtx");
   return {page, [arguments] { return convert(*arguments); }};
 }

@@ -4,6 +4,7 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 
+#include "harness/cli/reading.h"
 #include "harness/cli/verbs.h"
 #include "problems/features.h"
 #include "problems/io/load.h"
@@ -17,6 +18,7 @@ using Json = nlohmann::ordered_json;
 
 struct InfoArguments {
   std::string where;
+  ReadOptions reading;
   bool json = false;
 };
 
@@ -79,7 +81,7 @@ std::string printed(const Json& value) {
 
 int info(const InfoArguments& arguments) {
   Json all = Json::array();
-  for (const Instance& instance : load_instances(arguments.where))
+  for (const Instance& instance : load_instances(arguments.where, {}, arguments.reading))
     all.push_back(describe(instance));
   if (arguments.json) {
     fmt::print("{}\n", Json{{"instances", all}}.dump(1));
@@ -103,6 +105,7 @@ Verb add_info(CLI::App& program) {
   auto arguments = std::make_shared<InfoArguments>();
   page->add_option("INSTANCE", arguments->where, "FILE, FILE#NAME or directory")->required();
   page->add_flag("--json", arguments->json, "As JSON");
+  add_reading_option(*page, arguments->reading);
   page->footer("Example:\n  lcpbench info squat.hdf5#squat-like/0003");
   return {page, [arguments] { return info(*arguments); }};
 }

@@ -7,6 +7,7 @@
 
 #include "harness/cli/interrupt.h"
 #include "harness/cli/quantity.h"
+#include "harness/cli/reading.h"
 #include "harness/cli/verbs.h"
 #include "harness/progress.h"
 #include "harness/runs/history.h"
@@ -18,11 +19,12 @@ namespace lcp::cli {
 
 namespace {
 
-std::vector<Instance> load(const std::vector<std::string>& corpora) {
+std::vector<Instance> load(const std::vector<std::string>& corpora, const ReadOptions& reading) {
   std::vector<Instance> all;
   for (const std::string& corpus : corpora) {
     std::vector<Instance> loaded = load_instances(
-        corpus, [](const std::string& line) { fmt::print(stderr, "left out: {}\n", line); });
+        corpus, [](const std::string& line) { fmt::print(stderr, "left out: {}\n", line); },
+        reading);
     std::move(loaded.begin(), loaded.end(), std::back_inserter(all));
   }
   return all;
@@ -39,8 +41,9 @@ RunPlan make_plan(const Measurement& measurement, std::vector<NamedSolver> solve
   const std::string suite = suite_name(measurement);
   plan.max_contacts = measurement.max_contacts.value_or(
       suite.empty() ? plan.max_contacts : find_suite(suite).max_contacts);
-  plan.instances = thinned(suite.empty() ? load(measurement.corpora) : generate(find_suite(suite)),
-                           measurement.every, measurement.limit);
+  plan.instances = thinned(
+      suite.empty() ? load(measurement.corpora, measurement.reading) : generate(find_suite(suite)),
+      measurement.every, measurement.limit);
   return plan;
 }
 
@@ -68,6 +71,7 @@ void add_options(CLI::App& page, Measurement& measurement) {
   page.add_option("--corpus", measurement.corpora,
                   "Instances instead of a suite: FILE, FILE#NAME or directory, repeatable")
       ->excludes(suite);
+  add_reading_option(page, measurement.reading);
   page.add_option("--start", measurement.start, "Starting basis")
       ->check(CLI::IsMember({"cold"}))
       ->capture_default_str();

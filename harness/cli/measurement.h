@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "harness/measure/runner.h"
+#include "problems/io/read_options.h"
 
 namespace lcp::cli {
 
@@ -13,6 +14,7 @@ namespace lcp::cli {
 struct Measurement {
   std::string suite;
   std::vector<std::string> corpora;
+  ReadOptions reading;
   std::string start = "cold";
   double tolerance = 1e-6;
   std::string timeout = "10s";

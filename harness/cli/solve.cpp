@@ -6,6 +6,7 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 
+#include "harness/cli/reading.h"
 #include "harness/cli/verbs.h"
 #include "harness/judge.h"
 #include "harness/runs/record.h"
@@ -22,6 +23,7 @@ constexpr Index printed_entries = 12;  ///< Longer z are printed as the rows tha
 
 struct SolveArguments {
   std::string where;
+  ReadOptions reading;
   std::vector<std::string> solvers;
   double tolerance = 1e-6;
   bool trace = false;
@@ -77,7 +79,7 @@ void print(const Instance& instance, const NamedSolver& solver, const Result& re
 int solve(const SolveArguments& arguments) {
   const std::vector<NamedSolver> solvers = make_solvers(arguments.solvers);
   Json all = Json::array();
-  for (const Instance& instance : load_instances(arguments.where)) {
+  for (const Instance& instance : load_instances(arguments.where, {}, arguments.reading)) {
     for (const NamedSolver& solver : solvers) {
       Trace trace(instance.problem);
       Call call;
@@ -116,6 +118,7 @@ Verb add_solve(CLI::App& program) {
   page->add_flag("--trace", arguments->trace,
                  "Print every pivot: what enters and leaves, ratio, ties, size, condition");
   page->add_flag("--json", arguments->json, "As JSON");
+  add_reading_option(*page, arguments->reading);
   page->footer("Example:\n  lcpbench solve squat.hdf5#squat-like/0003 --solver best-first --trace");
   return {page, [arguments] { return solve(*arguments); }};
 }

@@ -9,8 +9,6 @@ namespace lcp {
 
 namespace {
 
-/// Rounding in a matrix that is symmetric by its definition, relative to its largest entry.
-constexpr double kSymmetryTolerance = 1e-9;
 /// Sine of the angle below which a direction does not tell a tangent from the normal.
 constexpr double kParallelSine = 1e-6;
 
@@ -72,7 +70,7 @@ void check(const ContactProblem& problem, const std::string& where) {
       if (!std::isfinite(problem.W(i, j)))
         refuse(where,
                fmt::format("W({}, {}) is {}, expected a finite number", i, j, problem.W(i, j)));
-      if (std::abs(problem.W(i, j) - problem.W(j, i)) > kSymmetryTolerance * largest)
+      if (std::abs(problem.W(i, j) - problem.W(j, i)) > problem.asymmetry_allowed * largest)
         refuse(where, fmt::format("W({}, {}) is {} but W({}, {}) is {}, expected a symmetric W", i,
                                   j, problem.W(i, j), j, i, problem.W(j, i)));
     }

@@ -39,6 +39,9 @@ struct ContactProblem {
   VectorXd vbar;      ///< 3 Nc, m/s: velocity at the end of the step without contact forces.
   VectorXd v_before;  ///< 3 Nc, m/s: velocity v- at its start; empty where unknown.
   double dt = 1e-3;   ///< s.
+  /// How far W(i, j) and W(j, i) may differ, relative to W's largest entry: rounding in a matrix that
+  /// is symmetric by its definition. Readers of measured or printed matrices raise it.
+  double asymmetry_allowed = 1e-9;
 
   Index size() const { return static_cast<Index>(contacts.size()); }
 };
@@ -56,7 +59,7 @@ MatrixXd contact_axes(const std::vector<Contact>& contacts);
 MatrixXd delassus_matrix(const MatrixXd& A, double dt);
 
 /// Throws std::invalid_argument, naming the field, unless shapes agree, numbers are finite, W is
-/// symmetric to 1e-9 of its largest entry, mu >= 0 and dt > 0. `where` begins the message.
+/// symmetric to `asymmetry_allowed` of its largest entry, mu >= 0 and dt > 0. `where` begins the message.
 void check(const ContactProblem& problem, const std::string& where);
 
 }  // namespace lcp

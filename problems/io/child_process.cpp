@@ -10,6 +10,7 @@
 #include <cstdlib>
 #include <cstring>
 #include <exception>
+#include <vector>
 
 #include "problems/io/errors.h"
 
@@ -29,17 +30,18 @@ void drop_output() {
 void send(int pipe, std::string_view text) {
   while (!text.empty()) {
     const ssize_t sent = write(pipe, text.data(), text.size());
-    if (sent < 0) return;
+    if (sent < 0 && errno == EINTR) continue;
+    if (sent < 0) _exit(EXIT_FAILURE);  // nobody listens
     text.remove_prefix(static_cast<std::size_t>(sent));
   }
 }
 
-[[noreturn]] void run_child(int pipe, unsigned seconds, const std::function<void()>& work) {
+[[noreturn]] void run_child(int pipe, unsigned seconds, const std::function<std::string()>& work) {
   drop_output();
   signal(SIGALRM, SIG_DFL);
   alarm(seconds);
   try {
-    work();
+    send(pipe, work());
   } catch (const std::exception& error) {
     send(pipe, error.what());
     _exit(threw);
@@ -49,10 +51,10 @@ void send(int pipe, std::string_view text) {
 
 std::string receive_all(int pipe) {
   std::string text;
-  char buffer[512];
+  std::vector<char> buffer(1 << 16);  // as much as a pipe holds
   for (;;) {
-    const ssize_t received = read(pipe, buffer, sizeof buffer);
-    if (received > 0) text.append(buffer, static_cast<std::size_t>(received));
+    const ssize_t received = read(pipe, buffer.data(), buffer.size());
+    if (received > 0) text.append(buffer.data(), static_cast<std::size_t>(received));
     if (received == 0 || (received < 0 && errno != EINTR)) return text;
   }
 }
@@ -66,7 +68,8 @@ int wait_for(pid_t child) {
 
 }  // namespace
 
-void try_in_child(const std::string& what, unsigned seconds, const std::function<void()>& work) {
+std::string try_in_child(const std::string& what, unsigned seconds,
+                         const std::function<std::string()>& work) {
   int ends[2];
   if (pipe2(ends, O_CLOEXEC) != 0)
     throw UnreadableInput(fmt::format("{}: no pipe: {}", what, std::strerror(errno)));
@@ -79,11 +82,11 @@ void try_in_child(const std::string& what, unsigned seconds, const std::function
   }
   if (child == 0) run_child(ends[1], seconds, work);
   close(ends[1]);
-  const std::string message = receive_all(ends[0]);
+  std::string answer = receive_all(ends[0]);
   close(ends[0]);
   const int status = wait_for(child);
-  if (WIFEXITED(status) && WEXITSTATUS(status) == EXIT_SUCCESS) return;
-  if (WIFEXITED(status) && WEXITSTATUS(status) == threw) throw UnreadableInput(message);
+  if (WIFEXITED(status) && WEXITSTATUS(status) == EXIT_SUCCESS) return answer;
+  if (WIFEXITED(status) && WEXITSTATUS(status) == threw) throw UnreadableInput(answer);
   if (WIFSIGNALED(status) && WTERMSIG(status) == SIGALRM)
     throw UnreadableInput(fmt::format("{}: still not done after {} s", what, seconds));
   if (WIFSIGNALED(status))

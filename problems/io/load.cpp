@@ -5,12 +5,17 @@
 #include <algorithm>
 #include <filesystem>
 #include <map>
+#include <new>
 #include <stdexcept>
 
 #include "problems/io/child_process.h"
 #include "problems/io/errors.h"
 #include "problems/io/hdf5/corpus.h"
+#include "problems/io/instance_image.h"
+#include "problems/io/local_contacts.h"
+#include "problems/io/text/json.h"
 #include "problems/io/text/matrix_market.h"
+#include "problems/io/text/siconos.h"
 
 namespace lcp {
 
@@ -18,42 +23,64 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr const char* known_endings = ".hdf5, .h5, .M.mtx (with .q.mtx beside it)";
+constexpr const char* known_endings = ".hdf5, .h5, .M.mtx (with .q.mtx beside it), .dat, .json";
 
 /// A child that has not read a file by then is stopped. Our largest corpora take a few seconds.
 constexpr unsigned foreign_file_seconds = 300;
 
-enum class Format { corpus, matrix_market, unknown };
+enum class Format { corpus, matrix_market, siconos, json, unknown };
 
 Format format_of(const std::string& path) {
   if (path.ends_with(".hdf5") || path.ends_with(".h5")) return Format::corpus;
   if (path.ends_with(matrix_market_ending)) return Format::matrix_market;
+  if (path.ends_with(siconos_ending)) return Format::siconos;
+  if (path.ends_with(json_ending)) return Format::json;
   return Format::unknown;
 }
 
-/// What the instance of a Matrix Market pair is called: dir/x of dir/x.M.mtx.
-std::string pair_name(const std::string& path) {
-  return path.substr(0, path.rfind(matrix_market_ending));
+/// What the instance of a file that names none is called: dir/x of dir/x.M.mtx or dir/x.dat.
+std::string name_of_file(const std::string& path) {
+  for (const char* ending : {matrix_market_ending, siconos_ending, json_ending, ".hdf5", ".h5"})
+    if (path.ends_with(ending)) return path.substr(0, path.rfind(ending));
+  return path;
 }
 
-std::vector<Instance> load_corpus(const std::string& file, const std::string& name) {
-  try_in_child(fmt::format("{}: reading it with the HDF5 library", file), foreign_file_seconds,
-               [&] { read_corpus(file, name); });
-  return read_corpus(file, name);
+/// The child reads and hands over what it found: the file that the HDF5 library survived there might
+/// still break it here, where the memory looks different.
+std::vector<Instance> load_corpus(const std::string& file, const std::string& name,
+                                  const ReadOptions& options, const std::string& unnamed) {
+  const std::string image =
+      try_in_child(fmt::format("{}: reading it with the HDF5 library", file), foreign_file_seconds,
+                   [&] { return to_image(read_corpus(file, name, options, unnamed)); });
+  try {
+    return from_image(image);
+  } catch (const std::invalid_argument& error) {
+    throw UnreadableInput(fmt::format("{}: {}", file, error.what()));
+  }
+}
+
+std::vector<Instance> named(std::vector<Instance> instances, const std::string& file,
+                            const std::string& name) {
+  if (name.empty()) return instances;
+  for (Instance& instance : instances)
+    if (instance.name == name) return {std::move(instance)};
+  throw UnreadableInput(fmt::format("{}: holds no instance called '{}'", file, name));
 }
 
 /// The instances of a file, or the one called `name`; `relative` is the file's path from where the
-/// names of Matrix Market instances begin.
+/// names of instances begin that have none.
 std::vector<Instance> load_file(const std::string& file, const std::string& name,
-                                const fs::path& relative) {
+                                const fs::path& relative, const ReadOptions& options) {
+  const std::string unnamed = name_of_file(relative);
   switch (format_of(file)) {
     case Format::corpus:
-      return load_corpus(file, name);
+      return load_corpus(file, name, options, unnamed);
     case Format::matrix_market:
-      if (!name.empty() && name != pair_name(relative))
-        throw UnreadableInput(fmt::format("{}: holds '{}', not an instance called '{}'", file,
-                                          pair_name(relative), name));
-      return {read_matrix_market(file, pair_name(relative))};
+      return named({read_matrix_market(file, unnamed)}, file, name);
+    case Format::siconos:
+      return named({read_siconos(file, unnamed, options)}, file, name);
+    case Format::json:
+      return named(read_json(file, unnamed), file, name);
     case Format::unknown:
       break;
   }
@@ -71,13 +98,14 @@ std::vector<std::string> files_below(const std::string& directory) {
 }
 
 std::vector<Instance> load_directory(const std::string& directory,
-                                     const std::function<void(const std::string&)>& skipped) {
+                                     const std::function<void(const std::string&)>& skipped,
+                                     const ReadOptions& options) {
   std::vector<Instance> instances;
   std::map<std::string, std::string> file_of_name;
   for (const std::string& file : files_below(directory)) {
     std::vector<Instance> found;
     try {
-      found = load_file(file, "", fs::path(file).lexically_relative(directory));
+      found = load_file(file, "", fs::path(file).lexically_relative(directory), options);
     } catch (const UnreadableInput& error) {
       if (!skipped) throw;
       skipped(error.what());
@@ -99,9 +127,11 @@ std::vector<Instance> load_directory(const std::string& directory,
 }  // namespace
 
 std::vector<Instance> load_instances(const std::string& where,
-                                     const std::function<void(const std::string&)>& skipped) {
+                                     const std::function<void(const std::string&)>& skipped,
+                                     const ReadOptions& options) {
+  check(options);
   try {
-    if (fs::is_directory(where)) return load_directory(where, skipped);
+    if (fs::is_directory(where)) return load_directory(where, skipped, options);
     std::string file = where, name;
     const std::size_t hash = where.rfind('#');
     if (!fs::exists(where) && hash != std::string::npos) {
@@ -112,9 +142,11 @@ std::vector<Instance> load_instances(const std::string& where,
     }
     if (!fs::is_regular_file(file))
       throw UnreadableInput(fmt::format("{}: no such file or directory", file));
-    return load_file(file, name, fs::path(file).filename());
+    return load_file(file, name, fs::path(file).filename(), options);
   } catch (const fs::filesystem_error& error) {
     throw UnreadableInput(fmt::format("{}: {}", where, error.code().message()));
+  } catch (const std::bad_alloc&) {
+    throw UnreadableInput(fmt::format("{}: larger than the memory that is left", where));
   }
 }
 
@@ -127,6 +159,11 @@ void save_instances(const std::string& path, const std::vector<Instance>& instan
         throw std::invalid_argument(fmt::format(
             "{}: {} instances for one Matrix Market pair, expected 1", path, instances.size()));
       return write_matrix_market(path, instances.front());
+    case Format::json:
+      return write_json(path, instances);
+    case Format::siconos:
+      throw std::invalid_argument(fmt::format(
+          "{}: Siconos files are read only, expected one of .hdf5, .h5, .M.mtx, .json", path));
     case Format::unknown:
       break;
   }

@@ -12,7 +12,7 @@
 // Mapped    lambda = max(0, max_m -c_m'u), b = coefficients of f_t on the two directions next to
 //           it.
 // Cost      n^2 multiply-adds a sweep, plain; 9 Nc^2 with contacts, plus m Nc for the projections;
-//           every `check_every` sweeps one product with M, n^2. Memory O(n).
+//           every `check_every` sweeps one product with M, n^2. Memory: a transpose of M or W.
 // Class     Plain: converges for symmetric positive definite, strictly diagonally dominant and
 //           H-matrices with positive diagonal. Contacts: no theorem with friction; slow, or never
 //           there, when W is rank-deficient or badly conditioned. A fixed point is a solution.
@@ -139,6 +139,7 @@ class Contacts {
   explicit Contacts(const Problem& problem)
       : n_(problem.size()),
         blocks_(*problem.friction),
+        W_transposed_(blocks_.W.transpose()),
         forces_(VectorXd::Zero(3 * blocks_.contacts())) {}
 
   static std::string obstacle(const Problem& problem) {
@@ -191,15 +192,16 @@ class Contacts {
     return blocks_.directions.middleCols(contact * m, m);
   }
 
-  /// Entries of W f + vbar from `first`; W is symmetric, so its columns serve as rows.
+  /// Entries of W f + vbar from `first`.
   template <int Size>
   Eigen::Matrix<double, Size, 1> velocity(Index first) const {
-    return blocks_.W.middleCols<Size>(first).transpose() * forces_ +
+    return W_transposed_.middleCols<Size>(first).transpose() * forces_ +
            blocks_.vbar.segment<Size>(first);
   }
 
   Index n_;
   const FrictionBlocks& blocks_;
+  MatrixXd W_transposed_;  ///< Rows of W as columns: measured ones are not quite symmetric.
   VectorXd forces_;
 };
 

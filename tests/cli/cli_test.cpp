@@ -227,6 +227,25 @@ TEST_F(Cli, InfoDescribesAndConvertKeepsAnInstance) {
   EXPECT_EQ(described("one.hdf5")[0].at("sha256"), before[0].at("sha256"));
 }
 
+TEST_F(Cli, ForeignContactsTakeTheirDirectionsFromTheCommandLine) {
+  write_text(file("one.dat"), "3 1  0 3 3 3 3  15 -1 -2 -1 14 1 -2 1 16  -1 2 3  0.1\n");
+  const auto rows = [&](const std::vector<std::string>& arguments) {
+    return Json::parse(run(arguments).out).at("instances")[0].at("n");
+  };
+  EXPECT_EQ(rows({"info", "one.dat", "--json"}), 10);
+  EXPECT_EQ(rows({"info", "one.dat", "--directions", "4", "--json"}), 6);
+  ASSERT_EQ(run({"convert", "one.dat", "one.json", "--directions", "6"}).status, 0);
+  ASSERT_EQ(run({"convert", "one.json", "one.hdf5"}).status, 0);
+  EXPECT_EQ(rows({"info", "one.hdf5", "--json"}), 8);
+  EXPECT_NE(run({"solve", "one.dat", "--directions", "4", "--solver", "best-first"})
+                .out.find("one (n = 6), best-first: solved"),
+            std::string::npos);
+  EXPECT_EQ(run({"run", "--corpus", "one.dat", "--directions", "2", "--dry-run"}).status, 0);
+  expect_complaint({"info", "one.dat", "--directions", "3"}, 2, {"--directions is 3", "even"});
+  expect_complaint({"convert", "one.dat", "two.dat"}, 2, {"two.dat", ".hdf5"});
+  expect_complaint({"convert", "one.dat", "one.M.mtx"}, 4, {"one.M.mtx", "friction blocks"});
+}
+
 TEST_F(Cli, TestSolverTellsEveryLaw) {
   const Ran ran = run({"test-solver", "best-first"});
   EXPECT_EQ(ran.status, 0) << ran.out;

@@ -77,6 +77,18 @@ TEST(ProjectedGaussSeidel, SlidingBetweenTwoDirectionsIsSharedByBoth) {
   EXPECT_LT((result.z - VectorXd{{2, 0, 0, 0.25, 0.15, 0.175}}).norm(), 1e-7);
 }
 
+TEST(ProjectedGaussSeidel, ReadsAnUnsymmetricWByRows) {
+  // The normal force drags along t1, friction does nothing to the normal velocity:
+  // f_n = 2, f_t = -(0.3 + 0.1 * 2) / 0.5 = -1.
+  Problem problem = one_contact(0.9, {-1, 0.3, 0});
+  problem.friction->W(1, 0) = 0.1;
+  problem.M(1, 0) = 0.1;
+  problem.M(3, 0) = -0.1;
+  const Result result = solve(problem);
+  ASSERT_EQ(result.claim, Claim::solved);
+  EXPECT_LT((result.z - VectorXd{{2, 0, 0, 1, 0, 0}}).norm(), 1e-8);
+}
+
 TEST(ProjectedGaussSeidel, AContactThatOpensHasNoForce) {
   const Result result = solve(one_contact(0.5, {0.1, 0.3, 0}));
   ASSERT_EQ(result.claim, Claim::solved);

@@ -64,7 +64,7 @@ void write_features(H5::Group& group, const Problem& problem) {
 }
 
 void write_friction(H5::Group& group, const FrictionBlocks& blocks) {
-  write_fclib_local(group, {blocks.W, blocks.vbar, blocks.mu});
+  write_fclib_local(group, blocks);
   H5::Group layout = group.createGroup("layout");
   hdf5::write(layout, "directions", blocks.directions);
   hdf5::write(layout, "normal_row", blocks.normal_row);
@@ -126,7 +126,9 @@ std::string corpus_image(const std::string& path, const std::vector<Instance>& i
 // --- reading ---
 
 FrictionBlocks read_friction(const GroupReader& group, Index n) {
-  FclibLocal local = read_fclib_local(group, n);  // Every contact has a row of its own.
+  LocalContacts local = read_fclib_local(group, n).contacts;  // Every contact has a row of its own.
+  if (local.dimension != 3)
+    group.group("fclib_local").fail("spacedim", "is 2, expected 3 beside M and q");
   const GroupReader layout = group.group("layout");
   const Index count = local.mu.size();
   FrictionBlocks blocks;
@@ -149,10 +151,12 @@ Problem read_problem(const GroupReader& group) {
   problem.q = group.vector("q");
   const Index n = problem.q.size();
   problem.M = group.matrix("M", n, n);
-  problem.s_z = group.vector("s_z", n);
-  problem.s_w = group.vector("s_w", n);
+  set_plain_scales(problem);
+  if (group.has("s_z")) problem.s_z = group.vector("s_z", n);
+  if (group.has("s_w")) problem.s_w = group.vector("s_w", n);
   if (group.has("c")) problem.c = group.vector("c", n);
-  problem.pivot_limit = group.integer_attribute("pivot_limit");
+  if (group.has_attribute("pivot_limit"))
+    problem.pivot_limit = group.integer_attribute("pivot_limit");
   if (group.has("fclib_local")) problem.friction = read_friction(group, n);
   return problem;
 }
@@ -170,17 +174,27 @@ Index read_active_contacts(const GroupReader& group, Index contacts) {
   return active;
 }
 
-Instance read_instance(const GroupReader& group, const std::string& name) {
-  Instance instance;
-  try {
-    instance =
-        make_instance(name, read_problem(group), group.group("provenance").text_attributes());
-  } catch (const std::invalid_argument& error) {
-    group.fail("", error.what());
-  }
+std::map<std::string, std::string> read_provenance(const GroupReader& group) {
+  if (!group.has_group("provenance")) return {};
+  return group.group("provenance").printed_attributes();
+}
+
+void require_hash(const GroupReader& group, const Instance& instance) {
+  if (!group.has_attribute("sha256")) return;
   const std::string stored = group.text_attribute("sha256");
   if (stored != instance.sha256)
     group.fail("sha256", fmt::format("is {}, but the content has {}", stored, instance.sha256));
+}
+
+/// An instance whose group holds M and q.
+Instance read_stored_lcp(const GroupReader& group, const std::string& name) {
+  Instance instance;
+  try {
+    instance = make_instance(name, read_problem(group), read_provenance(group));
+  } catch (const std::invalid_argument& error) {
+    group.fail("", error.what());
+  }
+  require_hash(group, instance);
   const Problem& problem = instance.problem;
   if (group.has("known_solution"))
     instance.known_solution = read_known_solution(group, problem.size());
@@ -190,9 +204,42 @@ Instance read_instance(const GroupReader& group, const std::string& name) {
   return instance;
 }
 
+/// An instance whose group holds contacts alone: a file of FCLIB, or a group copied from one.
+Instance read_contacts(const GroupReader& group, const std::string& name,
+                       const ReadOptions& options) {
+  const GroupReader problem = group.group("fclib_local");
+  const Index dimension = problem.integer("spacedim");
+  const Index contacts = problem.group("vectors").vector("mu").size();
+  require_readable_size(contacts, dimension, options, problem.place());
+  FclibLocal local = read_fclib_local(group, contacts);
+  std::map<std::string, std::string> provenance = read_provenance(group);
+  provenance["format"] = "FCLIB local problem";
+  provenance["storage"] = local.storage;
+  if (problem.has_group("info")) {
+    const GroupReader info = problem.group("info");
+    for (const char* key : {"title", "description"})
+      if (const std::string text = info.text(key); !text.empty()) provenance[key] = text;
+  }
+  Instance instance = contact_instance(name, std::move(local.contacts), options,
+                                       std::move(provenance), problem.place());
+  require_hash(group, instance);
+  return instance;
+}
+
+/// Whether a group is an instance: it says so by its hash, or holds a matrix M or contacts.
+bool is_instance(const GroupReader& group) {
+  return group.has_attribute("sha256") || group.has_dataset("M") || group.has_group("fclib_local");
+}
+
+Instance read_instance(const GroupReader& group, const std::string& name,
+                       const ReadOptions& options) {
+  const bool contacts_alone = group.has_group("fclib_local") && !group.has("M") && !group.has("q");
+  return contacts_alone ? read_contacts(group, name, options) : read_stored_lcp(group, name);
+}
+
+/// A file that tells its version has to be of ours; one that another program wrote tells none.
 void require_our_version(const GroupReader& root) {
-  if (!root.has_attribute("corpus_version"))
-    root.fail("corpus_version", "is missing, expected a corpus written by lcpbench");
+  if (!root.has_attribute("corpus_version")) return;
   const Index version = root.integer_attribute("corpus_version");
   if (version != corpus_version)
     root.fail("corpus_version", fmt::format("is {}, expected {}", version, corpus_version));
@@ -215,25 +262,26 @@ void write_corpus(const std::string& path, const std::vector<Instance>& instance
   replace_file(path, image);
 }
 
-std::vector<Instance> read_corpus(const std::string& path, const std::string& name) {
+std::vector<Instance> read_corpus(const std::string& path, const std::string& name,
+                                  const ReadOptions& options, const std::string& unnamed) {
   const GroupReader root(path);
   require_our_version(root);
+  if (root.has("fclib_global"))
+    root.fail("fclib_global", "is a global problem, expected a local one (fclib_local)");
   std::vector<Instance> instances;
   const auto take = [&](const GroupReader& group, const std::string& found) {
-    if (name.empty() || name == found) instances.push_back(read_instance(group, found));
+    if (name.empty() || name == found) instances.push_back(read_instance(group, found, options));
   };
-  if (root.has_attribute("sha256")) {
-    take(root, root.text_attribute("name"));
-  } else {
-    for (const std::string& inner : root.groups_below()) {
-      const GroupReader group = root.group(inner);
-      if (group.has_attribute("sha256")) take(group, inner);
-    }
-  }
+  if (is_instance(root))
+    take(root, root.has_attribute("name") ? root.text_attribute("name") : unnamed);
+  for (const std::string& inner : root.groups_below())
+    if (const GroupReader group = root.group(inner); is_instance(group)) take(group, inner);
   if (instances.empty())
-    throw UnreadableInput(name.empty()
-                              ? fmt::format("{}: holds no instance, expected at least 1", path)
-                              : fmt::format("{}: holds no instance called '{}'", path, name));
+    throw UnreadableInput(
+        name.empty() ? fmt::format("{}: holds no instance, expected a group with M and q or with "
+                                   "fclib_local",
+                                   path)
+                     : fmt::format("{}: holds no instance called '{}'", path, name));
   return instances;
 }
 

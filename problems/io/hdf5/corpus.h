@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "problems/instance.h"
+#include "problems/io/read_options.h"
 
 namespace lcp {
 
@@ -11,31 +12,39 @@ namespace lcp {
 /// /squat-like/0042 (nested groups); a file of one instance holds it in the root group, with the
 /// attribute `name`, so that FCLIB's own reader opens its contacts. In the group of an instance:
 ///
-///     attributes    sha256 (marks the group as an instance), pivot_limit, active_contacts (where
-///                   known), and the features of problems/features.h for whoever browses the file
 ///     M, q          n x n and n
-///     s_z, s_w      n: the scales
+///     s_z, s_w      n: the scales; plain ones (set_plain_scales) where they are missing
 ///     c             n: covering vector, where the instance has its own
 ///     known_solution  n, where known
 ///     fclib_local   W, vbar (as vectors/q) and mu of an instance with contacts
 ///     layout        its directions (2 x Nc m), normal_row, friction_row, cone_row (Nc each), and
 ///                   the attribute directions_per_contact
-///     provenance    one text attribute per key
+///     provenance    a group with one attribute, text or number, per key
+///     attributes    sha256, pivot_limit, active_contacts (where known), and the features of
+///                   problems/features.h for whoever browses the file
 ///
-/// Vectors are datasets, since HDF5 holds no attribute beyond 64 kB.
-/// M and q stand there also where the contacts determine them: whoever reads gets the bits that were
-/// written, whatever becomes of the code that assembles them. The root group has the integer
-/// attribute corpus_version = 1. The same instances give the same bytes.
+/// M and q are enough: a file written by hand, with numbers of any HDF5 type and names of its own,
+/// is a corpus too; a sha256 that is there has to agree. A group with `fclib_local` and neither M nor
+/// q is an instance as well, the LCP (25) of its contacts; with that in the root group, the file is
+/// FCLIB's own. The root's instance, if it has no attribute `name`, is called after the file.
+///
+/// Vectors are datasets, since HDF5 holds no attribute beyond 64 kB. We store M and q also where the
+/// contacts determine them: whoever reads gets the bits that were written, whatever becomes of the
+/// code that assembles them. The root group of our files has the integer attribute corpus_version
+/// = 1. The same instances give the same bytes.
 ///
 /// Replaces `path` by a corpus of these instances (see replace_file). Throws std::invalid_argument
 /// when there are none; UnwritableOutput when two have one name, when one lies inside the other
 /// (a, a/b), when a name cannot be a path (empty parts, `.`, `#`) or the file cannot be written.
 void write_corpus(const std::string& path, const std::vector<Instance>& instances);
 
-/// The instances of a corpus in order of their paths, or the one called `name` alone. Shapes, sizes
+/// The instances of a corpus, the root's first, then in order of their paths; or the one called
+/// `name` alone. `unnamed` is what the root's instance is called if it does not say. Shapes, sizes
 /// and finiteness are checked, and the content against its sha256. Throws UnreadableInput
 /// `file: /group/dataset: what is wrong, what was expected`. The HDF5 library itself may crash on a
 /// corrupted file: read foreign files through load_instances.
-std::vector<Instance> read_corpus(const std::string& path, const std::string& name = "");
+std::vector<Instance> read_corpus(const std::string& path, const std::string& name = "",
+                                  const ReadOptions& options = {},
+                                  const std::string& unnamed = "instance");
 
 }  // namespace lcp

@@ -2,13 +2,16 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace lcp {
 
 namespace {
 
-constexpr int compressed_rows = -2;  ///< FCLIB's W/nz.
+/// FCLIB's W/nz, where it does not count triplets.
+enum Storage : Index { compressed_columns = -1, compressed_rows = -2 };
+
 constexpr int space_dimension = 3;
 
 void write_compressed_rows(H5::Group& group, const MatrixXd& matrix) {
@@ -34,67 +37,103 @@ void write_compressed_rows(H5::Group& group, const MatrixXd& matrix) {
               VectorXd(Eigen::Map<VectorXd>(value.data(), static_cast<Index>(value.size()))));
 }
 
-/// Reads an integer dataset that can have only one value.
-void require_integer(const hdf5::GroupReader& group, const std::string& name, Index expected) {
+/// Reads an integer dataset that has to be in least ... most.
+Index integer(const hdf5::GroupReader& group, const std::string& name, Index least, Index most) {
   const Index found = group.integer(name);
-  if (found != expected) group.fail(name, fmt::format("is {}, expected {}", found, expected));
+  if (found < least || found > most)
+    group.fail(name, least == most ? fmt::format("is {}, expected {}", found, least)
+                                   : fmt::format("is {}, expected {} ... {}", found, least, most));
+  return found;
 }
 
-MatrixXd read_compressed_rows(const hdf5::GroupReader& group, Index rows) {
-  require_integer(group, "nz", compressed_rows);
-  require_integer(group, "m", rows);
-  require_integer(group, "n", rows);
-  const Index stored = group.integer("nzmax");
-  if (stored < 0 || stored > rows * rows)
-    group.fail("nzmax", fmt::format("is {}, expected 0 ... {}", stored, rows * rows));
-  const std::vector<Index> begin_of_row = group.integers("p", rows + 1);
-  const std::vector<Index> column = group.integers("i", stored);
-  const VectorXd value = group.vector("x", stored);
-  if (begin_of_row.front() != 0 || begin_of_row.back() != stored)
-    group.fail("p", fmt::format("goes from {} to {}, expected from 0 to {}", begin_of_row.front(),
-                                begin_of_row.back(), stored));
+void require_place(const hdf5::GroupReader& group, const char* name, Index k, Index found,
+                   Index rows) {
+  if (found >= 0 && found < rows) return;
+  group.fail(name, fmt::format("entry {} is {}, expected 0 ... {}", k, found, rows - 1));
+}
+
+/// Adds to an entry; the first number keeps its sign even if it is -0.
+void add(double& entry, double number) { entry = entry == 0 ? number : entry + number; }
+
+/// `stored` triplets (i, p, x); x may be longer, as nzmax allows.
+MatrixXd read_triplets(const hdf5::GroupReader& group, Index rows, Index stored, Index nzmax) {
+  const std::vector<Index> row = group.integers("i", stored), column = group.integers("p", stored);
+  const VectorXd value = group.vector_up_to("x", std::max(stored, nzmax));
+  if (value.size() < stored)
+    group.fail("x", fmt::format("is {}, expected at least {}", value.size(), stored));
   MatrixXd matrix = MatrixXd::Zero(rows, rows);
-  for (Index i = 0; i < rows; ++i) {
-    const Index begin = begin_of_row[i], end = begin_of_row[i + 1];
-    if (begin > end || end > stored)
-      group.fail("p", fmt::format("row {} goes from {} to {}, expected ascending numbers up to {}",
-                                  i, begin, end, stored));
-    for (Index k = begin; k < end; ++k) {
-      if (column[k] < 0 || column[k] >= rows)
-        group.fail("i",
-                   fmt::format("column {} of row {}, expected 0 ... {}", column[k], i, rows - 1));
-      matrix(i, column[k]) = value(k);
+  for (Index k = 0; k < stored; ++k) {
+    require_place(group, "i", k, row[k], rows);
+    require_place(group, "p", k, column[k], rows);
+    add(matrix(row[k], column[k]), value(k));
+  }
+  return matrix;
+}
+
+/// The transpose of what is stored in compressed rows, or what is stored in compressed columns.
+MatrixXd read_compressed(const hdf5::GroupReader& group, Index rows, Index nzmax) {
+  const std::vector<Index> begin = group.integers("p", rows + 1);
+  const std::vector<Index> inner = group.integers("i", nzmax);
+  const VectorXd value = group.vector("x", nzmax);
+  if (begin.front() != 0 || begin.back() > nzmax)
+    group.fail("p", fmt::format("goes from {} to {}, expected from 0 to at most {}", begin.front(),
+                                begin.back(), nzmax));
+  MatrixXd matrix = MatrixXd::Zero(rows, rows);
+  for (Index j = 0; j < rows; ++j) {
+    if (begin[j] > begin[j + 1] || begin[j + 1] > nzmax)
+      group.fail("p", fmt::format("entry {} is {} behind {}, expected ascending numbers up to {}",
+                                  j + 1, begin[j + 1], begin[j], nzmax));
+    for (Index k = begin[j]; k < begin[j + 1]; ++k) {
+      require_place(group, "i", k, inner[k], rows);
+      add(matrix(inner[k], j), value(k));
     }
   }
   return matrix;
 }
 
+/// Reads W (rows x rows) and says how it was stored.
+MatrixXd read_matrix(const hdf5::GroupReader& group, Index rows, std::string& storage) {
+  const Index most = rows * rows;
+  const Index nz = integer(group, "nz", compressed_rows, most);
+  integer(group, "m", rows, rows);
+  integer(group, "n", rows, rows);
+  const Index nzmax = integer(group, "nzmax", 0, most);
+  storage = nz == compressed_rows      ? "compressed rows"
+            : nz == compressed_columns ? "compressed columns"
+                                       : "triplets";
+  if (nz >= 0) return read_triplets(group, rows, nz, nzmax);
+  MatrixXd matrix = read_compressed(group, rows, nzmax);
+  if (nz == compressed_rows) matrix.transposeInPlace();
+  return matrix;
+}
+
 }  // namespace
 
-void write_fclib_local(H5::Group& parent, const FclibLocal& problem) {
+void write_fclib_local(H5::Group& parent, const FrictionBlocks& blocks) {
   H5::Group group = parent.createGroup("fclib_local");
   hdf5::write(group, "spacedim", std::vector<int>{space_dimension});
   H5::Group matrix = group.createGroup("W");
-  write_compressed_rows(matrix, problem.W);
+  write_compressed_rows(matrix, blocks.W);
   H5::Group vectors = group.createGroup("vectors");
-  hdf5::write(vectors, "q", problem.q);
-  hdf5::write(vectors, "mu", problem.mu);
+  hdf5::write(vectors, "q", blocks.vbar);
+  hdf5::write(vectors, "mu", blocks.mu);
 }
 
 FclibLocal read_fclib_local(const hdf5::GroupReader& parent, Index most_contacts) {
   const hdf5::GroupReader group = parent.group("fclib_local");
-  require_integer(group, "spacedim", space_dimension);
+  FclibLocal problem;
+  LocalContacts& local = problem.contacts;
+  local.dimension = integer(group, "spacedim", 2, space_dimension);
   for (const char* block : {"V", "R"})
     if (group.has(block)) group.fail(block, "is an equality block, expected contacts only");
   const hdf5::GroupReader vectors = group.group("vectors");
-  FclibLocal problem;
-  problem.mu = vectors.vector("mu");
-  const Index contacts = problem.mu.size();
+  local.mu = vectors.vector("mu");
+  const Index contacts = local.mu.size();
   if (contacts > most_contacts)
     vectors.fail("mu",
                  fmt::format("has {} contacts, expected at most {}", contacts, most_contacts));
-  problem.q = vectors.vector("q", space_dimension * contacts);
-  problem.W = read_compressed_rows(group.group("W"), space_dimension * contacts);
+  local.q = vectors.vector("q", local.dimension * contacts);
+  local.W = read_matrix(group.group("W"), local.dimension * contacts, problem.storage);
   return problem;
 }
 

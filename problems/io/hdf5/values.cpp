@@ -89,6 +89,18 @@ bool GroupReader::has(const std::string& name) const {
   return found;
 }
 
+bool GroupReader::holds(const std::string& name, H5O_type_t type) const {
+  bool found = false;
+  guard(name, [&] { found = group_.nameExists(name) && group_.childObjType(name) == type; });
+  return found;
+}
+
+bool GroupReader::has_group(const std::string& name) const { return holds(name, H5O_TYPE_GROUP); }
+
+bool GroupReader::has_dataset(const std::string& name) const {
+  return holds(name, H5O_TYPE_DATASET);
+}
+
 GroupReader GroupReader::group(const std::string& name) const {
   H5::Group inner;
   guard(name, [&] {
@@ -112,12 +124,14 @@ std::vector<std::string> GroupReader::groups_below() const {
   return found;
 }
 
-H5::DataSet GroupReader::open(const std::string& name, H5T_class_t kind,
+H5::DataSet GroupReader::open(const std::string& name, bool real,
                               const std::vector<Index>& expected) const {
   if (!group_.nameExists(name)) fail(name, "is missing, expected a dataset");
   H5::DataSet data = group_.openDataSet(name);
-  if (data.getTypeClass() != kind)
-    fail(name, fmt::format("is {}, expected {}", kind_name(data.getTypeClass()), kind_name(kind)));
+  const H5T_class_t kind = data.getTypeClass();
+  if (kind != H5T_INTEGER && !(real && kind == H5T_FLOAT))
+    fail(name,
+         fmt::format("is {}, expected {}", kind_name(kind), real ? "real numbers" : "integers"));
   const std::vector<hsize_t> extents = extents_of(data.getSpace());
   const std::vector<hsize_t> wanted(expected.begin(), expected.end());
   if (extents != wanted)
@@ -128,7 +142,7 @@ H5::DataSet GroupReader::open(const std::string& name, H5T_class_t kind,
 VectorXd GroupReader::vector(const std::string& name, Index size) const {
   VectorXd numbers;
   guard(name, [&] {
-    const H5::DataSet data = open(name, H5T_FLOAT, {size});
+    const H5::DataSet data = open(name, true, {size});
     numbers.resize(size);
     data.read(numbers.data(), H5::PredType::NATIVE_DOUBLE);
   });
@@ -136,21 +150,33 @@ VectorXd GroupReader::vector(const std::string& name, Index size) const {
 }
 
 VectorXd GroupReader::vector(const std::string& name) const {
+  return vector_up_to(name, largest_rows);
+}
+
+Index GroupReader::size_of(const std::string& name, Index most) const {
   std::vector<hsize_t> extents;
   guard(name, [&] {
     if (!group_.nameExists(name)) fail(name, "is missing, expected a vector");
     extents = extents_of(group_.openDataSet(name).getSpace());
   });
-  if (extents.size() != 1 || extents[0] > static_cast<hsize_t>(largest_rows))
+  if (extents.size() != 1 || extents[0] > static_cast<hsize_t>(most))
     fail(name, fmt::format("is {}, expected a vector of at most {} numbers", extents_text(extents),
-                           largest_rows));
-  return vector(name, static_cast<Index>(extents[0]));
+                           most));
+  return static_cast<Index>(extents[0]);
+}
+
+VectorXd GroupReader::vector_up_to(const std::string& name, Index most) const {
+  return vector(name, size_of(name, most));
+}
+
+std::vector<Index> GroupReader::integers_up_to(const std::string& name, Index most) const {
+  return integers(name, size_of(name, most));
 }
 
 MatrixXd GroupReader::matrix(const std::string& name, Index rows, Index columns) const {
   RowMajor numbers;
   guard(name, [&] {
-    const H5::DataSet data = open(name, H5T_FLOAT, {rows, columns});
+    const H5::DataSet data = open(name, true, {rows, columns});
     numbers.resize(rows, columns);
     data.read(numbers.data(), H5::PredType::NATIVE_DOUBLE);
   });
@@ -160,7 +186,7 @@ MatrixXd GroupReader::matrix(const std::string& name, Index rows, Index columns)
 std::vector<Index> GroupReader::integers(const std::string& name, Index size) const {
   std::vector<std::int64_t> numbers;
   guard(name, [&] {
-    const H5::DataSet data = open(name, H5T_INTEGER, {size});
+    const H5::DataSet data = open(name, false, {size});
     numbers.resize(static_cast<std::size_t>(size));
     data.read(numbers.data(), H5::PredType::NATIVE_INT64);
   });
@@ -195,25 +221,56 @@ std::string GroupReader::text_attribute(const std::string& name) const {
         attribute.getSpace().getSimpleExtentNpoints() != 1)
       fail(name, "is another attribute, expected one text");
     const H5::StrType type = attribute.getStrType();
-    if (type.isVariableStr() || type.getSize() > longest_text)
-      fail(name, fmt::format("is a text of {} bytes, expected at most {} and a fixed length",
-                             type.getSize(), longest_text));
-    std::vector<char> bytes(type.getSize() + 1, '\0');
-    attribute.read(type, bytes.data());
-    text = bytes.data();
+    if (!type.isVariableStr() && type.getSize() > longest_text)
+      fail(name,
+           fmt::format("is a text of {} bytes, expected at most {}", type.getSize(), longest_text));
+    attribute.read(type, text);
+    text = text.c_str();  // without the zeros that pad a fixed length
   });
+  if (text.size() > longest_text)
+    fail(name,
+         fmt::format("is a text of {} bytes, expected at most {}", text.size(), longest_text));
   return text;
 }
 
-std::map<std::string, std::string> GroupReader::text_attributes() const {
-  std::map<std::string, std::string> texts;
-  guard("", [&] {
-    for (int i = 0; i < group_.getNumAttrs(); ++i) {
-      const std::string name = group_.openAttribute(static_cast<unsigned>(i)).getName();
-      texts[name] = text_attribute(name);
-    }
+std::string GroupReader::printed_attribute(const std::string& name) const {
+  H5T_class_t kind = H5T_NO_CLASS;
+  double number = 0;
+  guard(name, [&] {
+    const H5::Attribute attribute = group_.openAttribute(name);
+    if (attribute.getSpace().getSimpleExtentNpoints() == 1) kind = attribute.getTypeClass();
+    if (kind == H5T_FLOAT) attribute.read(H5::PredType::NATIVE_DOUBLE, &number);
   });
+  if (kind == H5T_STRING) return text_attribute(name);
+  if (kind == H5T_INTEGER) return fmt::format("{}", integer_attribute(name));
+  if (kind == H5T_FLOAT) return fmt::format("{}", number);
+  fail(name, "is another attribute, expected one text or number");
+}
+
+std::map<std::string, std::string> GroupReader::printed_attributes() const {
+  std::vector<std::string> names;
+  guard("", [&] {
+    for (int i = 0; i < group_.getNumAttrs(); ++i)
+      names.push_back(group_.openAttribute(static_cast<unsigned>(i)).getName());
+  });
+  std::map<std::string, std::string> texts;
+  for (const std::string& name : names) texts[name] = printed_attribute(name);
   return texts;
+}
+
+std::string GroupReader::text(const std::string& name) const {
+  std::string text;
+  guard(name, [&] {
+    if (!group_.nameExists(name)) return;
+    const H5::DataSet data = group_.openDataSet(name);
+    if (data.getTypeClass() != H5T_STRING || data.getSpace().getSimpleExtentNpoints() != 1) return;
+    const H5::StrType type = data.getStrType();
+    if (type.isVariableStr() || type.getSize() > longest_text) return;
+    std::vector<char> bytes(type.getSize() + 1, '\0');
+    data.read(bytes.data(), type);
+    text = bytes.data();
+  });
+  return text;
 }
 
 void write(H5::Group& group, const std::string& name, const VectorXd& numbers) {

@@ -25,27 +25,39 @@ class GroupReader {
 
   /// Path inside the file: empty for the root group, else /a/b.
   const std::string& path() const { return path_; }
+  /// How messages about it begin: file: /a/b.
+  std::string place() const { return file_ + ": " + (path_.empty() ? "/" : path_); }
 
   /// Whether there is a group or dataset of that name here.
   bool has(const std::string& name) const;
+  bool has_group(const std::string& name) const;
+  bool has_dataset(const std::string& name) const;
   GroupReader group(const std::string& name) const;
   /// Paths of all groups below this one relative to it, each object once however it is linked, in
   /// order of names.
   std::vector<std::string> groups_below() const;
 
+  /// Numbers of any floating-point or integer type, converted to double.
   VectorXd vector(const std::string& name, Index size) const;
   /// A vector of any size up to `largest_rows`.
   VectorXd vector(const std::string& name) const;
   MatrixXd matrix(const std::string& name, Index rows, Index columns) const;
   std::vector<Index> integers(const std::string& name, Index size) const;
+  /// A vector of integers of any size up to `most`.
+  std::vector<Index> integers_up_to(const std::string& name, Index most) const;
+  /// A vector of numbers of any size up to `most`.
+  VectorXd vector_up_to(const std::string& name, Index most) const;
   /// A dataset of one integer.
   Index integer(const std::string& name) const { return integers(name, 1).front(); }
 
   bool has_attribute(const std::string& name) const;
   Index integer_attribute(const std::string& name) const;
+  /// A text of fixed or variable length.
   std::string text_attribute(const std::string& name) const;
-  /// All attributes of this group, which must be texts.
-  std::map<std::string, std::string> text_attributes() const;
+  /// Attributes of this group that are one text or one number, as text.
+  std::map<std::string, std::string> printed_attributes() const;
+  /// A dataset that is one text of fixed length; empty where it is something else or missing.
+  std::string text(const std::string& name) const;
 
   /// Throws UnreadableInput about the object `name` of this group, or the group itself if empty.
   [[noreturn]] void fail(const std::string& name, const std::string& what) const;
@@ -53,9 +65,13 @@ class GroupReader {
  private:
   GroupReader(std::string file, std::string path, H5::Group group);
 
-  /// Opens a dataset of numbers of class `kind` whose extents are `expected`.
-  H5::DataSet open(const std::string& name, H5T_class_t kind,
-                   const std::vector<Index>& expected) const;
+  /// Opens a dataset of integers, or with `real` also of floating-point numbers, whose extents are
+  /// `expected`.
+  H5::DataSet open(const std::string& name, bool real, const std::vector<Index>& expected) const;
+  /// The size of a vector of at most `most` numbers.
+  Index size_of(const std::string& name, Index most) const;
+  bool holds(const std::string& name, H5O_type_t type) const;
+  std::string printed_attribute(const std::string& name) const;
   /// Runs `read` and turns what the HDF5 library throws into UnreadableInput about `name`.
   void guard(const std::string& name, const std::function<void()>& read) const;
 

@@ -5,16 +5,14 @@
 
 #include <cstdio>
 #include <cstdlib>
-#include <filesystem>
-#include <fstream>
 #include <memory>
 #include <new>
-#include <sstream>
 #include <string_view>
 
 #include "problems/io/errors.h"
 #include "problems/io/replace_file.h"
 #include "problems/io/text/matrix_market_text.h"
+#include "problems/io/text/read_text.h"
 
 namespace lcp {
 
@@ -60,18 +58,6 @@ using File = std::unique_ptr<std::FILE, CloseFile>;
 
 // --- reading ---
 
-std::string read_text(const std::string& path) {
-  if (!std::filesystem::is_regular_file(path))
-    throw UnreadableInput(fmt::format("{}: no such file, expected a Matrix Market file", path));
-  std::ifstream file(path, std::ios::binary);
-  std::ostringstream text;
-  text << file.rdbuf();
-  if (!file || text.str().empty())
-    throw UnreadableInput(
-        fmt::format("{}: empty or unreadable, expected a Matrix Market file", path));
-  return text.str();
-}
-
 MatrixXd from_dense(const cholmod_dense& matrix) {
   return Eigen::Map<const MatrixXd, 0, Eigen::OuterStride<>>(
       static_cast<const double*>(matrix.x), static_cast<Index>(matrix.nrow),
@@ -80,7 +66,7 @@ MatrixXd from_dense(const cholmod_dense& matrix) {
 
 /// Reads a matrix of any storage, both triangles of it.
 MatrixXd read_matrix(const std::string& path) {
-  std::string text = read_text(path);
+  std::string text = read_text(path, "a Matrix Market file", longest_file);
   check_matrix_market_text(path, text);
   constexpr int both_triangles = 1;
   const File file(fmemopen(text.data(), text.size(), "r"));

@@ -9,6 +9,7 @@
 
 #include "problems/io/errors.h"
 #include "problems/io/limits.h"
+#include "problems/io/text/read_text.h"
 
 namespace lcp {
 
@@ -46,9 +47,8 @@ bool counts_up_to(double last, double number) {
 
 [[noreturn]] void refuse(const std::string& path, const std::string& line,
                          const std::string& expected) {
-  constexpr std::size_t shown = 60;
   throw UnreadableInput(
-      fmt::format("{}: line '{}', expected {}", path, line.substr(0, shown), expected));
+      fmt::format("{}: line '{}', expected {}", path, line.substr(0, longest_shown), expected));
 }
 
 void check_line_lengths(const std::string& path, const std::string& text) {

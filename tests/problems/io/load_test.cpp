@@ -33,7 +33,7 @@ class Load : public testing::Test {
 };
 
 TEST_F(Load, ChoosesTheFormatByTheEnding) {
-  for (const std::string file : {"x.hdf5", "x.h5", "x.M.mtx"}) {
+  for (const std::string file : {"x.hdf5", "x.h5", "x.M.mtx", "x.json"}) {
     save_instances(folder.file(file), {named("x")});
     const std::vector<Instance> read = load_instances(folder.file(file));
     ASSERT_EQ(read.size(), 1u) << file;
@@ -53,13 +53,42 @@ TEST_F(Load, TakesOneInstanceByItsName) {
   save_instances(folder.file("x.M.mtx"), {named("x")});
   EXPECT_EQ(names_of(load_instances(folder.file("x.M.mtx#x"))), Names{"x"});
   EXPECT_EQ(complaint_about(folder.file("x.M.mtx#y")),
-            folder.file("x.M.mtx: holds 'x', not an instance called 'y'"));
+            folder.file("x.M.mtx: holds no instance called 'y'"));
 }
 
 TEST_F(Load, TakesAFileWhoseOwnNameHoldsTheSign) {
   save_instances(folder.file("c#1.hdf5"), {named("a")});
   EXPECT_EQ(names_of(load_instances(folder.file("c#1.hdf5"))), Names{"a"});
   EXPECT_EQ(names_of(load_instances(folder.file("c#1.hdf5#a"))), Names{"a"});
+}
+
+TEST_F(Load, NamesAnInstanceAfterItsFileWhereTheFileNamesNone) {
+  files::put(folder.file("a.hdf5.dat"), "1 0 1 1 1 1 2 -3");
+  files::put(folder.file("b.json"), R"({"M": [[2]], "q": [-3]})");
+  EXPECT_EQ(names_of(load_instances(folder.path())), (Names{"a.hdf5", "b"}));
+  EXPECT_EQ(names_of(load_instances(folder.file("b.json#b"))), Names{"b"});
+  EXPECT_EQ(complaint_about(folder.file("a.hdf5.dat#b")),
+            folder.file("a.hdf5.dat: holds no instance called 'b'"));
+}
+
+TEST_F(Load, TakesTheDirectionsOfContactsFromTheOptions) {
+  const std::string path = folder.file("x.dat");
+  files::put(path, "3 1  0 3 3 3 3  1 0 0 0 1 0 0 0 1  -1 2 3  0.5");
+  EXPECT_EQ(load_instances(path).front().problem.size(), 1 + 8 + 1);
+  EXPECT_EQ(load_instances(path, {}, {.directions = 4}).front().problem.size(), 1 + 4 + 1);
+  for (const Index odd : {-2, 0, 1, 7})
+    EXPECT_THROW(load_instances(path, {}, {.directions = odd}), std::invalid_argument) << odd;
+}
+
+TEST_F(Load, ReportsAnEmptyFileAndBinaryJunkInOneLine) {
+  const std::string junk("\x89\0\r\n\xFF{[1 2\n", 11);
+  for (const std::string ending : {"hdf5", "h5", "M.mtx", "dat", "json"})
+    for (const std::string& bytes : {std::string(), junk}) {
+      files::put(folder.file("x." + ending), bytes);
+      const std::string message = complaint_about(folder.file("x." + ending));
+      EXPECT_TRUE(message.starts_with(folder.file("x."))) << message;
+      EXPECT_EQ(message.find_first_of("\r\n"), std::string::npos) << message;
+    }
 }
 
 TEST_F(Load, CollectsADirectoryAndWhatIsBelowIt) {
@@ -95,15 +124,15 @@ TEST_F(Load, ReportsWhatIsNoInstance) {
   EXPECT_EQ(complaint_about(folder.path()),
             folder.path() +
                 ": no readable instance in this directory, expected .hdf5, .h5, .M.mtx "
-                "(with .q.mtx beside it)");
+                "(with .q.mtx beside it), .dat, .json");
   EXPECT_EQ(complaint_about(folder.file("x.hdf5")),
             folder.file("x.hdf5: no such file or directory"));
   EXPECT_EQ(complaint_about(folder.file("x.hdf5#a")),
             folder.file("x.hdf5: no such file or directory"));
-  files::put(folder.file("x.json"), "{}");
-  EXPECT_EQ(complaint_about(folder.file("x.json")),
-            folder.file("x.json: unknown ending, expected .hdf5, .h5, .M.mtx (with .q.mtx beside "
-                        "it)"));
+  files::put(folder.file("x.txt"), "{}");
+  EXPECT_EQ(complaint_about(folder.file("x.txt")),
+            folder.file("x.txt: unknown ending, expected .hdf5, .h5, .M.mtx (with .q.mtx beside "
+                        "it), .dat, .json"));
   EXPECT_EQ(complaint_about("/dev/null"), "/dev/null: no such file or directory");
   files::put(folder.file("x.hdf5"), "");
   EXPECT_EQ(complaint_about(folder.file("x.hdf5")),
@@ -111,7 +140,8 @@ TEST_F(Load, ReportsWhatIsNoInstance) {
 }
 
 TEST_F(Load, RefusesToSaveWhatTheEndingDoesNotAllow) {
-  EXPECT_THROW(save_instances(folder.file("x.json"), {named("x")}), std::invalid_argument);
+  for (const char* file : {"x.dat", "x.txt"})
+    EXPECT_THROW(save_instances(folder.file(file), {named("x")}), std::invalid_argument) << file;
   EXPECT_THROW(save_instances(folder.file("x.M.mtx"), {named("x"), named("y")}),
                std::invalid_argument);
   EXPECT_THROW(save_instances(folder.file("missing/x.hdf5"), {named("x")}), UnwritableOutput);

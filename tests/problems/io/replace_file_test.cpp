@@ -45,6 +45,7 @@ TEST(ReplaceFile, LeavesTheOldFileAndNothingElseWhenTheDiskIsFull) {
       const rlimit limit{1000, 1000};
       setrlimit(RLIMIT_FSIZE, &limit);
       replace_file(path, std::string(2000, 'x'));
+      return std::string();
     });
   });
   EXPECT_EQ(message, path + ": cannot write: File too large");

@@ -1,0 +1,282 @@
+#include "problems/io/text/json.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+#include <set>
+#include <stdexcept>
+
+#include "problems/io/errors.h"
+#include "problems/io/limits.h"
+#include "problems/io/replace_file.h"
+#include "problems/io/text/read_text.h"
+
+namespace lcp {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+/// An entry of W: { instances [ { friction { W [ [.
+constexpr int deepest = 6;
+
+/// A value with its place in the file, for messages.
+class Place {
+ public:
+  Place(const std::string& file, const Json& value, std::string path = "")
+      : file_(&file), value_(&value), path_(std::move(path)) {}
+
+  [[noreturn]] void fail(const std::string& what) const {
+    throw UnreadableInput(fmt::format("{}: {}: {}", *file_, path_.empty() ? "/" : path_, what));
+  }
+  const Json& value() const { return *value_; }
+  bool has(const char* key) const { return value_->contains(key); }
+  Place operator[](const std::string& key) const {
+    if (!value_->contains(key)) Place(*file_, *value_, path_ + "/" + key).fail("is missing");
+    return {*file_, (*value_)[key], path_ + "/" + key};
+  }
+  Place operator[](std::size_t i) const {
+    return {*file_, (*value_)[i], fmt::format("{}/{}", path_, i)};
+  }
+
+  void require_object(const std::set<std::string>& known) const {
+    if (!value_->is_object()) fail(fmt::format("is {}, expected an object", value_->type_name()));
+    for (const auto& [key, ignored] : value_->items())
+      if (!known.contains(key))
+        fail(fmt::format("has the unknown key '{}', expected {}", key.substr(0, longest_shown),
+                         fmt::join(known, ", ")));
+  }
+  /// An array of at most largest_rows entries.
+  Index array() const { return array_of_at_most(largest_rows); }
+  Index array_of_at_most(Index most) const {
+    if (!value_->is_array()) fail(fmt::format("is {}, expected an array", value_->type_name()));
+    if (value_->size() > static_cast<std::size_t>(most))
+      fail(fmt::format("has {} entries, expected at most {}", value_->size(), most));
+    return static_cast<Index>(value_->size());
+  }
+
+  double number() const {
+    if (!value_->is_number()) fail(fmt::format("is {}, expected a number", value_->type_name()));
+    return value_->get<double>();
+  }
+  Index integer() const {
+    if (!value_->is_number_integer() ||
+        (value_->is_number_unsigned() &&
+         value_->get<std::uint64_t>() > std::uint64_t{std::numeric_limits<Index>::max()}))
+      fail(fmt::format("is {}, expected a whole number", value_->type_name()));
+    return value_->get<Index>();
+  }
+  std::string text() const {
+    if (!value_->is_string()) fail(fmt::format("is {}, expected a text", value_->type_name()));
+    return value_->get<std::string>();
+  }
+
+  VectorXd vector() const {
+    VectorXd numbers(array());
+    for (Index i = 0; i < numbers.size(); ++i)
+      numbers(i) = (*this)[static_cast<std::size_t>(i)].number();
+    return numbers;
+  }
+  std::vector<Index> integers() const {
+    std::vector<Index> numbers(static_cast<std::size_t>(array()));
+    for (std::size_t i = 0; i < numbers.size(); ++i) numbers[i] = (*this)[i].integer();
+    return numbers;
+  }
+  /// A matrix by rows of `columns` numbers.
+  MatrixXd matrix(Index columns) const {
+    const Index rows = array();
+    for (Index i = 0; i < rows; ++i) {
+      const Place row = (*this)[static_cast<std::size_t>(i)];
+      const Index found = row.array();
+      if (found != columns) row.fail(fmt::format("has {} entries, expected {}", found, columns));
+    }
+    MatrixXd numbers(rows, columns);
+    for (Index i = 0; i < rows; ++i)
+      numbers.row(i) = (*this)[static_cast<std::size_t>(i)].vector().transpose();
+    return numbers;
+  }
+
+ private:
+  const std::string* file_;
+  const Json* value_;
+  std::string path_;
+};
+
+// --- reading ---
+
+Json parse(const std::string& path, const std::string& text) {
+  const auto too_deep = [&](int depth, Json::parse_event_t event, Json&) {
+    const bool opens =
+        event == Json::parse_event_t::array_start || event == Json::parse_event_t::object_start;
+    if (opens && depth >= deepest)
+      throw UnreadableInput(
+          fmt::format("{}: is nested deeper than {}, expected instances", path, deepest));
+    return true;
+  };
+  try {
+    return Json::parse(text, too_deep);
+  } catch (const Json::exception& error) {
+    throw UnreadableInput(fmt::format("{}: {}", path, error.what()));
+  }
+}
+
+FrictionBlocks read_friction(const Place& place) {
+  place.require_object({"W", "vbar", "mu", "directions", "directions_per_contact", "normal_row",
+                        "friction_row", "cone_row"});
+  FrictionBlocks blocks;
+  blocks.vbar = place["vbar"].vector();
+  blocks.W = place["W"].matrix(blocks.vbar.size());
+  blocks.mu = place["mu"].vector();
+  blocks.directions_per_contact = place["directions_per_contact"].integer();
+  if (blocks.directions_per_contact < 0 || blocks.directions_per_contact > largest_rows)
+    place["directions_per_contact"].fail(
+        fmt::format("is {}, expected 0 ... {}", blocks.directions_per_contact, largest_rows));
+  const Place directions = place["directions"];
+  if (const Index rows = directions.array(); rows != 2)
+    directions.fail(fmt::format("has {} entries, expected 2", rows));
+  // With no contact, or none of them rough, LCP and directions may both be empty.
+  const Index columns = blocks.mu.size() * blocks.directions_per_contact;
+  blocks.directions = directions.matrix(columns);
+  blocks.normal_row = place["normal_row"].integers();
+  blocks.friction_row = place["friction_row"].integers();
+  blocks.cone_row = place["cone_row"].integers();
+  return blocks;
+}
+
+Problem read_problem(const Place& place) {
+  Problem problem;
+  problem.q = place["q"].vector();
+  const Index n = problem.q.size();
+  const Place M = place["M"];
+  if (const Index rows = M.array(); rows != n)
+    M.fail(fmt::format("has {} entries, expected {} as q", rows, n));
+  problem.M = M.matrix(n);
+  set_plain_scales(problem);
+  if (place.has("s_z")) problem.s_z = place["s_z"].vector();
+  if (place.has("s_w")) problem.s_w = place["s_w"].vector();
+  if (place.has("c")) problem.c = place["c"].vector();
+  if (place.has("pivot_limit")) problem.pivot_limit = place["pivot_limit"].integer();
+  if (place.has("friction")) problem.friction = read_friction(place["friction"]);
+  return problem;
+}
+
+std::map<std::string, std::string> read_provenance(const Place& place) {
+  std::map<std::string, std::string> texts;
+  if (!place.has("provenance")) return texts;
+  const Place provenance = place["provenance"];
+  if (!provenance.value().is_object())
+    provenance.fail(fmt::format("is {}, expected an object", provenance.value().type_name()));
+  for (const auto& [key, ignored] : provenance.value().items()) texts[key] = provenance[key].text();
+  return texts;
+}
+
+Instance read_instance(const Place& place, const std::string& unnamed) {
+  place.require_object({"name", "M", "q", "s_z", "s_w", "c", "pivot_limit", "known_solution",
+                        "active_contacts", "provenance", "friction", "sha256"});
+  const std::string name = place.has("name") ? place["name"].text() : unnamed;
+  Instance instance;
+  try {
+    instance = make_instance(name, read_problem(place), read_provenance(place));
+  } catch (const std::invalid_argument& error) {
+    place.fail(error.what());
+  }
+  if (place.has("sha256") && place["sha256"].text() != instance.sha256)
+    place["sha256"].fail(fmt::format("is {}, but the content has {}",
+                                     place["sha256"].text().substr(0, instance.sha256.size()),
+                                     instance.sha256));
+  const Problem& problem = instance.problem;
+  if (place.has("known_solution")) {
+    instance.known_solution = place["known_solution"].vector();
+    if (instance.known_solution->size() != problem.size())
+      place["known_solution"].fail(fmt::format("has {} entries, expected {}",
+                                               instance.known_solution->size(), problem.size()));
+  }
+  if (place.has("active_contacts")) {
+    const Index active = place["active_contacts"].integer();
+    const Index contacts = problem.friction ? problem.friction->contacts() : 0;
+    if (active < 0 || active > contacts)
+      place["active_contacts"].fail(fmt::format("is {}, expected 0 ... {}", active, contacts));
+    instance.active_contacts = active;
+  }
+  return instance;
+}
+
+// --- writing ---
+
+Json rows_of(const MatrixXd& matrix) {
+  Json rows = Json::array();
+  for (Index i = 0; i < matrix.rows(); ++i) {
+    const Eigen::RowVectorXd row = matrix.row(i);
+    rows.push_back(std::vector<double>(row.begin(), row.end()));
+  }
+  return rows;
+}
+
+Json list_of(const VectorXd& vector) { return std::vector<double>(vector.begin(), vector.end()); }
+
+Json to_json(const FrictionBlocks& blocks) {
+  return {{"W", rows_of(blocks.W)},
+          {"vbar", list_of(blocks.vbar)},
+          {"mu", list_of(blocks.mu)},
+          {"directions", rows_of(blocks.directions)},
+          {"directions_per_contact", blocks.directions_per_contact},
+          {"normal_row", blocks.normal_row},
+          {"friction_row", blocks.friction_row},
+          {"cone_row", blocks.cone_row}};
+}
+
+Json to_json(const Instance& instance) {
+  const Problem& problem = instance.problem;
+  Json json = {{"name", instance.name},        {"sha256", instance.sha256},
+               {"provenance", Json::object()}, {"M", rows_of(problem.M)},
+               {"q", list_of(problem.q)},      {"s_z", list_of(problem.s_z)},
+               {"s_w", list_of(problem.s_w)},  {"pivot_limit", problem.pivot_limit}};
+  for (const auto& [key, text] : instance.provenance) json["provenance"][key] = text;
+  if (problem.c.size() > 0) json["c"] = list_of(problem.c);
+  if (instance.known_solution) json["known_solution"] = list_of(*instance.known_solution);
+  if (instance.active_contacts) json["active_contacts"] = *instance.active_contacts;
+  if (problem.friction) json["friction"] = to_json(*problem.friction);
+  return json;
+}
+
+}  // namespace
+
+std::vector<Instance> read_json(const std::string& path, const std::string& unnamed) {
+  const Json json = parse(path, read_text(path, "a JSON file", largest_json));
+  const Place root(path, json);
+  if (!json.is_object() || !json.contains("instances")) return {read_instance(root, unnamed)};
+  root.require_object({"instances"});
+  const Place all = root["instances"];
+  const Index count = all.array_of_at_most(std::numeric_limits<Index>::max());
+  if (count == 0) all.fail("holds no instance, expected at least 1");
+  std::vector<Instance> instances;
+  std::set<std::string> names;
+  for (std::size_t i = 0; i < static_cast<std::size_t>(count); ++i) {
+    const std::string otherwise = count == 1 ? unnamed : fmt::format("{}/{}", unnamed, i);
+    instances.push_back(read_instance(all[i], otherwise));
+    if (!names.insert(instances.back().name).second)
+      all[i].fail(fmt::format("is called '{}' like another, expected different names",
+                              instances.back().name));
+  }
+  return instances;
+}
+
+void write_json(const std::string& path, const std::vector<Instance>& instances) {
+  std::string text = "{\"instances\": [\n";
+  for (const Instance& instance : instances) {
+    try {
+      text += to_json(instance).dump();
+    } catch (const Json::exception& error) {
+      throw UnwritableOutput(one_line(fmt::format("{}: {}", path, error.what())));
+    }
+    text += &instance == &instances.back() ? "\n" : ",\n";
+    if (text.size() > largest_json)
+      throw UnwritableOutput(
+          fmt::format("{}: JSON cannot hold more than {} bytes; write .hdf5", path, largest_json));
+  }
+  replace_file(path, text + "]}\n");
+}
+
+}  // namespace lcp
