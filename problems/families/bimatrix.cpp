@@ -12,7 +12,8 @@
 //           repeated      game_lcp with a pair for each strategy; n = 3 (rows + columns).
 //           lemke-howson  M = [0 A; B' 0], q = -1; n = rows + columns.
 //           The pairs of inequalities are tight and at most one multiplier is not 0: `sums` has 2 more
-//           degenerate pairs than `degenerate`, `repeated` 2 (rows + columns) - 2.
+//           degenerate pairs than `degenerate`, `repeated` 2 (rows + columns) - 2. In both q is 0
+//           but for the sums: ratio tests tie from the first pivot, whatever `degenerate` is.
 // Solution  The planted equilibrium: exact to the bit in the first two forms when `support` is a
 //           power of two. A game may have others.
 // Seed      Of the generator from which all instances of a draw come, one after the other.

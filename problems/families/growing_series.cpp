@@ -18,8 +18,9 @@ std::vector<Instance> growing_series(const GrowingKnobs& knobs, Index largest, c
                                      const std::function<ClassicLcp(Index)>& of_size) {
   if (draw.count > largest - knobs.n + 1)
     throw std::invalid_argument(
-        fmt::format("{}: {} instances from n={} on, each one row larger: expected n at most {}",
-                    draw.corpus, draw.count, knobs.n, largest));
+        fmt::format("{}: {} instances from n={} on end at n={}: expected at most {}, so fewer or "
+                    "a smaller n",
+                    draw.corpus, draw.count, knobs.n, knobs.n + draw.count - 1, largest));
   Random random(draw.seed);
   std::vector<Instance> instances;
   for (Index k = 0; k < draw.count; ++k) {

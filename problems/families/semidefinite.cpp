@@ -5,11 +5,11 @@
 //           exactly the rank of A. z and w with the chosen pairs are drawn first, q = w - M z.
 // Reals     A A' has nonzero eigenvalues from 1 / condition to 1, both taken; |J|_2 = 1; planted
 //           entries in [0.1, 1). Rank, pairs and solution hold to rounding.
-// Integers  integer=on: M = A A' (skew=0) or A (I + J) A' (skew=0.5, twice the above), A with entries
-//           in -3 ... 3 whose first rows, before the rows are shuffled, are unit lower triangular, J
-//           in {-1, 0, 1}, planted entries in 1 ... 9. M and q are integers below 2^53, so that they
-//           and the solution are exact to the bit, whatever the order of the sums, and the rank is
-//           exactly `rank`. The condition is what comes out.
+// Integers  integer=on: M = A A' (skew=0) or A (I + J) A' (skew=0.5, twice the above), A uniform in
+//           -3 ... 3 and drawn again while its columns are dependent, J in {-1, 0, 1}, planted
+//           entries in 1 ... 9. M and q are integers below 2^53, so that they and the solution are
+//           exact to the bit, whatever the order of the sums, and the rank is exactly `rank`. The
+//           condition is what comes out: 13 ... 34 at n = 40, rank = 20, 1e3 ... 2e5 at rank = 40.
 // Solution  One of many unless M_aa is regular: with more active pairs than rank it is no vertex.
 // Seed      Of the generator from which all instances of a draw come, one after the other.
 // Class     Positive semidefinite, hence copositive-plus: the problem is feasible, so that Lemke with a
@@ -20,6 +20,7 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <cstdint>
 #include <limits>
 #include <stdexcept>
 
@@ -96,15 +97,37 @@ MatrixXd real_matrix(const SemidefiniteKnobs& knobs, Random& random) {
   return (1 - knobs.skew) * S + knobs.skew / 2 * (K - K.transpose());
 }
 
-/// n x rank, of full column rank.
+/// Whether the columns, small integers, are independent modulo a prime; then they are independent. The
+/// converse fails for one matrix in 10^9.
+bool independent_columns(const MatrixXd& A) {
+  constexpr std::int64_t prime = 2147483647;
+  using Integers = Eigen::Matrix<std::int64_t, Eigen::Dynamic, Eigen::Dynamic>;
+  const auto modulo = [](std::int64_t a) { return (a % prime + prime) % prime; };
+  Integers rest = A.cast<std::int64_t>().unaryExpr(modulo);
+  for (Index c = 0; c < rest.cols(); ++c) {
+    Index pivot = c;
+    while (pivot < rest.rows() && rest(pivot, c) == 0) ++pivot;
+    if (pivot == rest.rows()) return false;
+    rest.row(c).swap(rest.row(pivot));
+    // Columns are combined without division: column j times the pivot less column c times its entry.
+    for (Index j = c + 1; j < rest.cols(); ++j) {
+      const std::int64_t entry = rest(c, j);
+      for (Index i = c; i < rest.rows(); ++i)
+        rest(i, j) = modulo(modulo(rest(i, j) * rest(c, c)) - modulo(entry * rest(i, c)));
+    }
+  }
+  return true;
+}
+
+/// n x rank, uniform entries, drawn again while its columns are dependent.
 MatrixXd integer_factor(const SemidefiniteKnobs& knobs, Random& random) {
   MatrixXd A(knobs.n, knobs.rank);
-  for (Index j = 0; j < knobs.rank; ++j)
-    for (Index i = 0; i < knobs.n; ++i)
-      A(i, j) = static_cast<double>(random.integer(-kFactorEntries, kFactorEntries));
-  A.topRows(knobs.rank).triangularView<Eigen::StrictlyUpper>().setZero();
-  A.diagonal().setOnes();
-  return A(random.permutation(knobs.n), Eigen::all);
+  do {
+    for (Index j = 0; j < knobs.rank; ++j)
+      for (Index i = 0; i < knobs.n; ++i)
+        A(i, j) = static_cast<double>(random.integer(-kFactorEntries, kFactorEntries));
+  } while (!independent_columns(A));
+  return A;
 }
 
 MatrixXd integer_matrix(const SemidefiniteKnobs& knobs, Random& random) {

@@ -69,9 +69,10 @@ TEST(GrowingSeries, SeedDecidesThePermutationAndNothingElse) {
 
 TEST(GrowingSeries, RefusesToGrowBeyondItsLargest) {
   EXPECT_EQ(growing_series({.n = 3}, 5, {.count = 3}, numbered).size(), 3u);
-  EXPECT_EQ(files::message_of<std::invalid_argument>(
-                [] { growing_series({.n = 3}, 5, {.count = 4, .corpus = "some"}, numbered); }),
-            "some: 4 instances from n=3 on, each one row larger: expected n at most 5");
+  EXPECT_EQ(
+      files::message_of<std::invalid_argument>(
+          [] { growing_series({.n = 3}, 5, {.count = 4, .corpus = "some"}, numbered); }),
+      "some: 4 instances from n=3 on end at n=6: expected at most 5, so fewer or a smaller n");
 }
 
 }  // namespace
