@@ -96,6 +96,8 @@ std::string content_hash(const Problem& problem) {
 
 Instance make_instance(std::string name, Problem problem,
                        std::map<std::string, std::string> provenance) {
+  const bool has_scales = problem.s_z.size() > 0 || problem.s_w.size() > 0;
+  if (!has_scales && problem.M.size() > 0) set_plain_scales(problem);
   check(problem, name);
   Instance instance;
   instance.name = std::move(name);

@@ -25,7 +25,8 @@ struct Instance {
 /// behind their length. Names and provenance do not enter.
 std::string content_hash(const Problem& problem);
 
-/// Checks the problem (throws std::invalid_argument naming `name`) and fills the hash.
+/// Gives plain scales to a problem that has none, checks it (throws std::invalid_argument naming
+/// `name`) and fills the hash.
 Instance make_instance(std::string name, Problem problem,
                        std::map<std::string, std::string> provenance);
 

@@ -294,7 +294,6 @@ PublishedInstance published(const Entry& entry) {
   problem.q = entry.q;
   problem.c = entry.covering;
   problem.pivot_limit = entry.pivot_limit;
-  set_plain_scales(problem);
   std::map<std::string, std::string> provenance{{"source", entry.source}};
   if (!entry.note.empty()) provenance["note"] = entry.note;
   Instance instance =

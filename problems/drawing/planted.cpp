@@ -23,7 +23,6 @@ PlantedPairs planted_pairs(Index n, Index active, Index degenerate,
 
 Instance drawn_instance(const Draw& draw, Index index, Problem problem, VectorXd solution,
                         const std::string& source) {
-  set_plain_scales(problem);
   Instance instance = make_instance(fmt::format("{}/{:04}", draw.corpus, index), std::move(problem),
                                     {{"source", source}});
   instance.known_solution = std::move(solution);

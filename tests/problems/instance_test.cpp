@@ -65,6 +65,17 @@ TEST(MakeInstance, LeavesNameAndProvenanceOutOfTheHash) {
   EXPECT_EQ(one.sha256, two.sha256);
 }
 
+TEST(MakeInstance, GivesPlainScalesToAProblemWithoutAny) {
+  Problem bare;
+  bare.M = MatrixXd{{2, 0}, {0, -8}};
+  bare.q = VectorXd{{-4, 1}};
+  const Instance instance = make_instance("bare", bare, {});
+  EXPECT_EQ(instance.problem.s_w, VectorXd::Constant(2, 4));
+  EXPECT_EQ(instance.problem.s_z, VectorXd::Constant(2, 0.5));
+  bare.s_z = VectorXd::Ones(2);
+  EXPECT_THROW(make_instance("half", bare, {}), std::invalid_argument) << "s_w is missing";
+}
+
 TEST(MakeInstance, RefusesNumbersThatAreNotFinite) {
   Problem problem = cases::plain();
   problem.q(1) = std::numeric_limits<double>::quiet_NaN();

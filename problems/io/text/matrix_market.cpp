@@ -145,7 +145,6 @@ Instance read_matrix_market(const std::string& path, const std::string& name) {
     throw UnreadableInput(
         fmt::format("{}: q is {} x {}, expected {} x 1", path_of_q, q.rows(), q.cols(), n));
   problem.q = q.col(0);
-  set_plain_scales(problem);
   try {
     return make_instance(name, std::move(problem), {{"file", path}});
   } catch (const std::invalid_argument& error) {

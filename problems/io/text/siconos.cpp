@@ -50,7 +50,6 @@ Instance read_lcp(Scanner& file, const std::string& name,
   problem.M = std::move(matrix.numbers);
   problem.q = file.numbers("q", n);
   require_end(file);
-  set_plain_scales(problem);
   provenance["format"] = "Siconos LCP";
   provenance["storage"] = siconos_storage_name(matrix.storage);
   try {
