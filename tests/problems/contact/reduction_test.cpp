@@ -200,6 +200,13 @@ TEST(Reduction, KeepsASeparatingPointInsideThePolygon) {
   EXPECT_EQ(sorted_features(points, {.separating_speed = 0.02}), first(8));
 }
 
+TEST(Reduction, KeepsASeparatingPointWithinAMillimetreOfAnother) {
+  Points points = on_floor({{0, 0}, {0.0005, 0}, {0.0009, 0}});
+  points[1].normal_velocity = 0.01;
+  EXPECT_EQ(sorted_features(points), first(2));
+  EXPECT_EQ(sorted_features(points, {.separating = Separating::as_others}), first(1));
+}
+
 TEST(Reduction, SeparatingCornersStillMakeThePolygonUnlessDropped) {
   Points points = square();
   for (const Index corner : {2, 3, 6}) points[corner].normal_velocity = 0.01;
