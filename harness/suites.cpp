@@ -95,7 +95,7 @@ Parts contact_parts() {
           {.family = "body-on-plane:motion=sliding"},
           {.family = "peg-in-hole"},
           {.family = "stack"},
-          {.family = "stack:mass_ratio=10"}};
+          {.family = "stack:mass_ratio=1"}};
 }
 
 constexpr Index largest_scaled = 128;  // Contacts.

@@ -21,15 +21,15 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
-#include <random>
 #include <stdexcept>
 
 #include "problems/contact/frame_series.h"
 #include "problems/contact/reduction.h"
+#include "problems/drawing/random.h"
 #include "problems/families/contact/rigid_bodies.h"
-#include "problems/families/contact/seeded_numbers.h"
 #include "problems/registry.h"
 
 namespace lcp {
@@ -108,21 +108,21 @@ Vector3d at(double radius, double angle) {
   return {radius * std::cos(angle), radius * std::sin(angle), 0};
 }
 
-std::vector<Vector3d> draw_places(const PlaneKnobs& knobs, std::mt19937_64& random) {
+std::vector<Vector3d> draw_places(const PlaneKnobs& knobs, Random& random) {
   const bool collinear = knobs.layout == PlaneKnobs::Layout::collinear;
   const Index copies = knobs.layout == PlaneKnobs::Layout::duplicated ? knobs.copies : 1;
   const double places = static_cast<double>(knobs.contacts / copies);
-  const double direction = 2 * pi * unit(random);
+  const double direction = 2 * pi * random.between(0, 1);
   std::vector<Vector3d> points;
   for (double i = 0; i < places; ++i) {
     Vector3d point;
     if (collinear) {
-      const double share = (2 * (i + unit(random)) - places) / places;
+      const double share = (2 * (i + random.between(0, 1)) - places) / places;
       point = at(share * reach(knobs, direction), direction);
     } else {
       // Within the middle half of its sector, so that no gap between points reaches half a turn.
-      const double angle = direction + 2 * pi * (i + unit(random) / 2) / places;
-      point = at(std::sqrt(unit(random)) * reach(knobs, angle), angle);
+      const double angle = direction + 2 * pi * (i + random.between(0, 1) / 2) / places;
+      point = at(std::sqrt(random.between(0, 1)) * reach(knobs, angle), angle);
     }
     points.insert(points.end(), copies, point);
   }
@@ -130,17 +130,17 @@ std::vector<Vector3d> draw_places(const PlaneKnobs& knobs, std::mt19937_64& rand
 }
 
 /// The box over the foot of its centre of mass at the origin, moving.
-RigidBody draw_body(const PlaneKnobs& knobs, std::mt19937_64& random) {
+RigidBody draw_body(const PlaneKnobs& knobs, Random& random) {
   const auto disturbance = [&]() -> Vector3d {
-    const double x = symmetric_unit(random), y = symmetric_unit(random);
-    return knobs.disturbance * Vector3d(x, y, symmetric_unit(random));
+    const double x = random.between(-1, 1), y = random.between(-1, 1);
+    return knobs.disturbance * Vector3d(x, y, random.between(-1, 1));
   };
   RigidBody body;
   body.mass = knobs.mass;
   body.inertia = knobs.inertia * box_inertia(knobs.mass, {knobs.length, knobs.width, knobs.height});
   body.centre.z() = knobs.height / 2;
   if (knobs.motion == PlaneKnobs::Motion::sliding)
-    body.velocity = at(knobs.speed, 2 * pi * unit(random));
+    body.velocity = at(knobs.speed, 2 * pi * random.between(0, 1));
   body.velocity += disturbance();
   body.angular_velocity = disturbance() / (knobs.length / 2);
   return body;
@@ -148,14 +148,15 @@ RigidBody draw_body(const PlaneKnobs& knobs, std::mt19937_64& random) {
 
 /// The points that a collision test would return, a feature each.
 std::vector<ContactPoint> draw_points(const PlaneKnobs& knobs, const RigidBody& body,
-                                      std::mt19937_64& random) {
+                                      Random& random) {
   std::vector<ContactPoint> points;
   for (const Vector3d& place : draw_places(knobs, random)) {
     ContactPoint point{.position = place, .normal = Vector3d::UnitZ()};
     point.id = {1, 0, static_cast<Index>(points.size())};
     if (knobs.layout == PlaneKnobs::Layout::noisy) {
-      for (double& coordinate : point.position) coordinate += knobs.noise * symmetric_unit(random);
-      const double towards = 2 * pi * unit(random), tilt = knobs.normal_noise * unit(random);
+      for (double& coordinate : point.position) coordinate += knobs.noise * random.between(-1, 1);
+      const double towards = 2 * pi * random.between(0, 1),
+                   tilt = knobs.normal_noise * random.between(0, 1);
       point.normal = at(std::sin(tilt), towards) + std::cos(tilt) * Vector3d::UnitZ();
       point.depth = -point.position.z();
     }
@@ -171,7 +172,7 @@ std::vector<Instance> generate_plane(const PlaneKnobs& knobs, const Draw& draw) 
         fmt::format("body-on-plane: contacts={}: expected a multiple of copies={}", knobs.contacts,
                     knobs.copies));
   const NamedSolver driver = make_solver(knobs.driver);
-  std::mt19937_64 random(draw.seed);
+  Random random(draw.seed);
   std::vector<Instance> instances;
   for (Index number = 0; number < draw.count; ++number) {
     const RigidBody body = draw_body(knobs, random);

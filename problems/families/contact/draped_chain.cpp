@@ -22,8 +22,8 @@
 #include <stdexcept>
 
 #include "problems/contact/frame_series.h"
+#include "problems/drawing/random.h"
 #include "problems/families/contact/bead_chain.h"
-#include "problems/families/contact/seeded_numbers.h"
 #include "problems/registry.h"
 
 namespace lcp {
@@ -118,11 +118,11 @@ BeadChain drape(const ChainKnobs& knobs) {
 }
 
 /// A velocity that the joints allow: along the chain, and along the rod in one to three half waves.
-VectorXd shake(const BeadChain& chain, const ChainKnobs& knobs, std::mt19937_64& random) {
-  const double slide = knobs.slide_speed * symmetric_unit(random);
+VectorXd shake(const BeadChain& chain, const ChainKnobs& knobs, Random& random) {
+  const double slide = knobs.slide_speed * random.between(-1, 1);
   const Vector3d waves =
       knobs.shake_speed *
-      Vector3d(symmetric_unit(random), symmetric_unit(random), symmetric_unit(random)) / 3;
+      Vector3d(random.between(-1, 1), random.between(-1, 1), random.between(-1, 1)) / 3;
   BeadChain shaken = chain;
   shaken.nu.setZero();
   for (Index i = 0; i < chain.links(); ++i) {
@@ -147,7 +147,7 @@ std::vector<Instance> generate_chain(const ChainKnobs& knobs, const Draw& draw) 
                     knobs.wrapped));
   FrameSeries series(draw.corpus, knobs.driver,
                      {.directions = knobs.directions, .axes = knobs.axes});
-  std::mt19937_64 random(draw.seed);
+  Random random(draw.seed);
   BeadChain chain = drape(knobs);
   for (Index frame = 0; frame < draw.count; ++frame) {
     const bool shaken = frame % knobs.shake_every == 0;

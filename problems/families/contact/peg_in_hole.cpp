@@ -21,14 +21,14 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
-#include <random>
 #include <stdexcept>
 
 #include "problems/contact/frame_series.h"
+#include "problems/drawing/random.h"
 #include "problems/families/contact/rigid_bodies.h"
-#include "problems/families/contact/seeded_numbers.h"
 #include "problems/registry.h"
 
 namespace lcp {
@@ -105,18 +105,18 @@ RigidBody leaning_peg(const PegKnobs& knobs) {
   return peg;
 }
 
-RigidBody draw_peg(const PegKnobs& knobs, std::mt19937_64& random) {
+RigidBody draw_peg(const PegKnobs& knobs, Random& random) {
   const auto disturbance = [&]() -> Vector3d {
-    const double x = symmetric_unit(random), y = symmetric_unit(random);
-    return knobs.disturbance * Vector3d(x, y, symmetric_unit(random));
+    const double x = random.between(-1, 1), y = random.between(-1, 1);
+    return knobs.disturbance * Vector3d(x, y, random.between(-1, 1));
   };
   RigidBody peg = leaning_peg(knobs);
   const Eigen::Matrix3d turn =
-      Eigen::AngleAxisd(2 * pi * unit(random), Vector3d::UnitZ()).toRotationMatrix();
+      Eigen::AngleAxisd(2 * pi * random.between(0, 1), Vector3d::UnitZ()).toRotationMatrix();
   peg.axes = turn * peg.axes;
   peg.centre = turn * peg.centre;
   const Vector3d along = peg.axes.col(2);
-  const double towards = 2 * pi * unit(random);
+  const double towards = 2 * pi * random.between(0, 1);
   const Vector3d push = knobs.push * Vector3d(std::cos(towards), std::sin(towards), 0);
   peg.force = push - knobs.press * Vector3d::UnitZ();
   peg.moment = (knobs.length / 2 * along).cross(push);
@@ -149,7 +149,7 @@ std::vector<PlacedContact> touch(const PegKnobs& knobs, const RigidBody& peg) {
 
 std::vector<Instance> generate_peg(const PegKnobs& knobs, const Draw& draw) {
   const NamedSolver driver = make_solver(knobs.driver);
-  std::mt19937_64 random(draw.seed);
+  Random random(draw.seed);
   std::vector<Instance> instances;
   for (Index number = 0; number < draw.count; ++number) {
     const RigidBody peg = draw_peg(knobs, random);

@@ -19,13 +19,13 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
-#include <random>
 #include <stdexcept>
 
 #include "problems/contact/frame_series.h"
+#include "problems/drawing/random.h"
 #include "problems/families/contact/rigid_bodies.h"
-#include "problems/families/contact/seeded_numbers.h"
 #include "problems/registry.h"
 
 namespace lcp {
@@ -72,10 +72,10 @@ OptionTable knob_table(StackKnobs& knobs) {
   };
 }
 
-std::vector<RigidBody> draw_bodies(const StackKnobs& knobs, std::mt19937_64& random) {
+std::vector<RigidBody> draw_bodies(const StackKnobs& knobs, Random& random) {
   const auto draw = [&random](double largest) -> Vector3d {
-    const double x = symmetric_unit(random), y = symmetric_unit(random);
-    return largest * Vector3d(x, y, symmetric_unit(random));
+    const double x = random.between(-1, 1), y = random.between(-1, 1);
+    return largest * Vector3d(x, y, random.between(-1, 1));
   };
   std::vector<RigidBody> bodies(knobs.bodies);
   double mass = knobs.mass;
@@ -120,7 +120,7 @@ std::vector<Instance> generate_stack(const StackKnobs& knobs, const Draw& draw) 
         "shorter edge, {}",
         knobs.offset, narrow / 2));
   const NamedSolver driver = make_solver(knobs.driver);
-  std::mt19937_64 random(draw.seed);
+  Random random(draw.seed);
   std::vector<Instance> instances;
   for (Index number = 0; number < draw.count; ++number) {
     const std::vector<RigidBody> bodies = draw_bodies(knobs, random);

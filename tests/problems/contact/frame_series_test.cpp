@@ -61,6 +61,22 @@ TEST(FrameSeries, AppliesNothingWhereTheDriverFailsTwice) {
   EXPECT_EQ(series.take().front().provenance.at("applied"), "none");
 }
 
+TEST(LoneFrame, HasNoPredecessorAndKnowsItsActiveContacts) {
+  ContactProblem pair;
+  pair.contacts = cases::floor_contacts({0.5, 0.5});
+  pair.W = MatrixXd::Identity(6, 6);
+  pair.vbar = VectorXd{{-1, 0, 0, 2, 0, 0}};  // one falls, the other leaves
+  const Instance frame = lone_frame("scene", 7, pair, {.directions = 4}, make_solver("best-first"),
+                                    {{"points_found", "9"}});
+  EXPECT_EQ(frame.name, "scene/0007");
+  EXPECT_EQ(frame.problem.size(), 12);
+  EXPECT_EQ(frame.active_contacts, 1);
+  EXPECT_EQ(frame.provenance, (std::map<std::string, std::string>{{"scene", "scene"},
+                                                                  {"driver", "best-first"},
+                                                                  {"contact_ids", "1-0-0 1-0-1"},
+                                                                  {"points_found", "9"}}));
+}
+
 TEST(FrameSeries, RefusesAnUnknownDriver) {
   EXPECT_THROW(FrameSeries("scene", "nobody", {}), std::invalid_argument);
 }
