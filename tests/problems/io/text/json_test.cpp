@@ -118,6 +118,15 @@ TEST_F(JsonInstances, RefuseMoreRowsThanAnyReaderTakes) {
             "/q: has 16385 entries, expected at most 16384");
 }
 
+TEST_F(JsonInstances, RefuseEmptyArraysAndObjectsBeforeTheyFillTheMemory) {
+  std::string arrays = "[]", objects = "{}";
+  for (int i = 0; i < 16384; ++i) arrays += ",[]";
+  for (int i = 0; i < 100; ++i) objects += ",{}";
+  EXPECT_EQ(complaint("{\"M\": [" + arrays + "]}"), "has more than 16384 rows in a matrix");
+  EXPECT_EQ(complaint("{\"instances\": [" + objects + "]}"),
+            "has more objects than instances could have");
+}
+
 TEST_F(JsonInstances, CannotHoldATextThatIsNoUtf8) {
   EXPECT_THROW(write_json(path, {make_instance("\xFF", cases::plain(), {})}), UnwritableOutput);
   EXPECT_TRUE(folder.empty());
