@@ -91,6 +91,15 @@ TEST_F(JsonInstances, ComplainOfAHashThatDoesNotFit) {
   EXPECT_TRUE(complaint(text).starts_with("/instances/0/sha256: is ")) << complaint(text);
 }
 
+TEST_F(JsonInstances, ComplainOfRowsThatNoIntegerCanCountTo) {
+  write_json(path, {make_instance("a", cases::with_contacts(), {})});
+  std::string text = files::content(path);
+  const std::string rows = "\"friction_row\":[";
+  text.replace(text.find(rows) + rows.size(), 1, "9223372036854775807");
+  EXPECT_EQ(complaint(text),
+            "/instances/0: a: friction_row of contact 0 is 9223372036854775807, expected 0 ... 3");
+}
+
 TEST_F(JsonInstances, ComplainInOneLineOfWhatIsNoJson) {
   for (const std::string text :
        {"", "{", "[1, 2", "{\"M\": [[NaN]], \"q\": [1]}", "{\"M\": [[1e999]], \"q\": [1]}",
