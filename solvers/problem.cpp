@@ -44,7 +44,7 @@ void require_positive(const VectorXd& numbers, const std::string& where, const c
 
 void require_row(Index row, Index size, Index n, const std::string& where, const char* field,
                  Index contact) {
-  if (row >= 0 && row + size <= n) return;
+  if (row >= 0 && row <= n - size) return;
   throw std::invalid_argument(fmt::format("{}: {} of contact {} is {}, expected 0 ... {}", where,
                                           field, contact, row, n - size));
 }

@@ -3,7 +3,8 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include <algorithm>
+#include <array>
+#include <limits>
 #include <nlohmann/json.hpp>
 #include <set>
 #include <stdexcept>
@@ -106,17 +107,41 @@ class Place {
 
 // --- reading ---
 
-Json parse(const std::string& path, const std::string& text) {
-  const auto too_deep = [&](int depth, Json::parse_event_t event, Json&) {
-    const bool opens =
-        event == Json::parse_event_t::array_start || event == Json::parse_event_t::object_start;
-    if (opens && depth >= deepest)
-      throw UnreadableInput(
-          fmt::format("{}: is nested deeper than {}, expected instances", path, deepest));
+/// Stops the parser before a hostile file fills stack or memory: an empty array takes three bytes of
+/// the file and seventy of memory.
+class Guard {
+ public:
+  Guard(const std::string& path, std::size_t bytes)
+      : path_(path), most_objects_(1 + bytes / smallest_instance) {}
+
+  bool operator()(int depth, Json::parse_event_t event, Json&) {
+    const bool array = event == Json::parse_event_t::array_start;
+    if (!array && event != Json::parse_event_t::object_start) return true;
+    if (depth >= deepest)
+      refuse(fmt::format("is nested deeper than {}, expected instances", deepest));
+    const auto level = static_cast<std::size_t>(depth);
+    if (array && ++arrays_[level] > largest_rows)
+      refuse(fmt::format("has more than {} rows in a matrix", largest_rows));
+    if (!array && ++objects_ > most_objects_) refuse("has more objects than instances could have");
+    arrays_[level + 1] = 0;
     return true;
-  };
+  }
+
+ private:
+  static constexpr std::size_t smallest_instance = 16;  ///< {"M":[],"q":[]}, in bytes
+
+  [[noreturn]] void refuse(const std::string& what) const {
+    throw UnreadableInput(fmt::format("{}: {}", path_, what));
+  }
+
+  const std::string& path_;
+  std::size_t objects_ = 0, most_objects_;
+  std::array<Index, deepest + 1> arrays_{};  ///< So far at each depth, below the same parent.
+};
+
+Json parse(const std::string& path, const std::string& text) {
   try {
-    return Json::parse(text, too_deep);
+    return Json::parse(text, Guard(path, text.size()));
   } catch (const Json::exception& error) {
     throw UnreadableInput(fmt::format("{}: {}", path, error.what()));
   }

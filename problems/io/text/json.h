@@ -20,7 +20,8 @@ namespace lcp {
 /// written in decimals that read back as the same bits, -0 too.
 inline constexpr const char* json_ending = ".json";
 
-/// Bytes of the largest JSON file: in memory a number takes ten times the two bytes it may have there.
+/// Bytes of the largest JSON file: in memory a number takes ten times the two bytes it may have
+/// there.
 inline constexpr std::size_t largest_json = std::size_t{256} << 20;
 
 /// Reads the instances of a file; one without a name is called `unnamed`. Throws UnreadableInput

@@ -91,6 +91,15 @@ TEST_F(JsonInstances, ComplainOfAHashThatDoesNotFit) {
   EXPECT_TRUE(complaint(text).starts_with("/instances/0/sha256: is ")) << complaint(text);
 }
 
+TEST_F(JsonInstances, ComplainOfRowsThatNoIntegerCanCountTo) {
+  write_json(path, {make_instance("a", cases::with_contacts(), {})});
+  std::string text = files::content(path);
+  const std::string rows = "\"friction_row\":[";
+  text.replace(text.find(rows) + rows.size(), 1, "9223372036854775807");
+  EXPECT_EQ(complaint(text),
+            "/instances/0: a: friction_row of contact 0 is 9223372036854775807, expected 0 ... 3");
+}
+
 TEST_F(JsonInstances, ComplainInOneLineOfWhatIsNoJson) {
   for (const std::string text :
        {"", "{", "[1, 2", "{\"M\": [[NaN]], \"q\": [1]}", "{\"M\": [[1e999]], \"q\": [1]}",
@@ -116,6 +125,15 @@ TEST_F(JsonInstances, RefuseMoreRowsThanAnyReaderTakes) {
   for (int i = 0; i < 16384; ++i) q += ",0";
   EXPECT_EQ(complaint("{\"M\": [], \"q\": [" + q + "]}"),
             "/q: has 16385 entries, expected at most 16384");
+}
+
+TEST_F(JsonInstances, RefuseEmptyArraysAndObjectsBeforeTheyFillTheMemory) {
+  std::string arrays = "[]", objects = "{}";
+  for (int i = 0; i < 16384; ++i) arrays += ",[]";
+  for (int i = 0; i < 100; ++i) objects += ",{}";
+  EXPECT_EQ(complaint("{\"M\": [" + arrays + "]}"), "has more than 16384 rows in a matrix");
+  EXPECT_EQ(complaint("{\"instances\": [" + objects + "]}"),
+            "has more objects than instances could have");
 }
 
 TEST_F(JsonInstances, CannotHoldATextThatIsNoUtf8) {
