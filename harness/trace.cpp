@@ -2,9 +2,11 @@
 
 #include <fmt/format.h>
 
-#include <Eigen/SVD>
 #include <algorithm>
 #include <limits>
+
+#include "problems/singular_values.h"
+
 
 namespace lcp {
 
@@ -40,7 +42,7 @@ double Trace::condition(const std::vector<int>& basic) const {
       B.col(k) = -scaled_.c();
     }
   }
-  const VectorXd values = Eigen::JacobiSVD<MatrixXd>(B).singularValues();
+  const VectorXd values = singular_values(B);
   const double least = values(n - 1);
   return least > 0 ? values(0) / least : std::numeric_limits<double>::infinity();
 }

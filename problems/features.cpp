@@ -1,6 +1,6 @@
 #include "problems/features.h"
 
-#include <Eigen/SVD>
+#include "problems/singular_values.h"
 
 namespace lcp {
 
@@ -17,12 +17,12 @@ void fill_rank_and_condition(const MatrixXd& matrix, const FeatureOptions& optio
   if (matrix.rows() > options.largest_svd) return;
   found.rank = 0;
   if (matrix.size() == 0) return;
-  const VectorXd singular_values = Eigen::BDCSVD<MatrixXd>(matrix).singularValues();
-  const double largest = singular_values(0);
+  const VectorXd values = singular_values(matrix);
+  const double largest = values(0);
   if (largest == 0) return;
-  const Index rank = (singular_values.array() > options.rank_threshold * largest).count();
+  const Index rank = (values.array() > options.rank_threshold * largest).count();
   found.rank = rank;
-  found.condition = largest / singular_values(rank - 1);
+  found.condition = largest / values(rank - 1);
 }
 
 }  // namespace

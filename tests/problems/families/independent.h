@@ -124,15 +124,13 @@ inline MatrixXd symmetric_part(const MatrixXd& M) { return (M + M.transpose()) /
 inline MatrixXd skew_part(const MatrixXd& M) { return (M - M.transpose()) / 2; }
 
 /// Ascending.
+VectorXd eigenvalues(const MatrixXd& symmetric);
 inline VectorXd eigenvalues_of_symmetric_part(const MatrixXd& M) {
-  return Eigen::SelfAdjointEigenSolver<MatrixXd>(symmetric_part(M), Eigen::EigenvaluesOnly)
-      .eigenvalues();
+  return eigenvalues(symmetric_part(M));
 }
 
 /// Descending.
-inline VectorXd singular_values(const MatrixXd& M) {
-  return Eigen::JacobiSVD<MatrixXd>(M).singularValues();
-}
+VectorXd singular_values(const MatrixXd& M);
 
 inline bool all_integers(const MatrixXd& M) { return M.array().round().matrix() == M; }
 

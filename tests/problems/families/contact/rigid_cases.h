@@ -9,6 +9,7 @@
 #include "problems/registry.h"
 #include "solvers/registry.h"
 #include "tests/problems/contact/contact_cases.h"
+#include "tests/problems/families/independent.h"
 
 namespace lcp::cases {
 
@@ -18,7 +19,7 @@ inline Instance first_of(const std::string& family) {
 
 /// Singular values above 1e-10 of the largest.
 inline Index rank(const MatrixXd& W) {
-  const VectorXd values = Eigen::JacobiSVD<MatrixXd>(W).singularValues();
+  const VectorXd values = independent::singular_values(W);
   return (values.array() > 1e-10 * values(0)).count();
 }
 

@@ -8,12 +8,13 @@
 #include "problems/registry.h"
 #include "solvers/registry.h"
 #include "tests/problems/contact/contact_cases.h"
+#include "tests/problems/families/independent.h"
 
 namespace lcp {
 namespace {
 
 Index rank(const MatrixXd& W) {
-  const VectorXd values = Eigen::JacobiSVD<MatrixXd>(W).singularValues();
+  const VectorXd values = independent::singular_values(W);
   return (values.array() > 1e-10 * values(0)).count();
 }
 
