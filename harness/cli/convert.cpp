@@ -17,7 +17,7 @@ struct ConvertArguments {
 };
 
 int convert(const ConvertArguments& arguments) {
-  const std::vector<Instance> instances = load_instances(arguments.in, {}, arguments.reading);
+  const std::vector<Instance> instances = read_instances(arguments.in, arguments.reading);
   save_instances(arguments.out, instances);
   fmt::print(stderr, "{} instance{} in {}\n", instances.size(),
              instances.size() == 1 ? " is" : "s are", arguments.out);

@@ -7,7 +7,6 @@
 #include "harness/cli/reading.h"
 #include "harness/cli/verbs.h"
 #include "problems/features.h"
-#include "problems/io/load.h"
 #include "solvers/registry.h"
 
 namespace lcp::cli {
@@ -81,7 +80,7 @@ std::string printed(const Json& value) {
 
 int info(const InfoArguments& arguments) {
   Json all = Json::array();
-  for (const Instance& instance : load_instances(arguments.where, {}, arguments.reading))
+  for (const Instance& instance : read_instances(arguments.where, arguments.reading))
     all.push_back(describe(instance));
   if (arguments.json) {
     fmt::print("{}\n", Json{{"instances", all}}.dump(1));

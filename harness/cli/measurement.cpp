@@ -13,7 +13,6 @@
 #include "harness/runs/history.h"
 #include "harness/runs/run_directory.h"
 #include "harness/suites.h"
-#include "problems/io/load.h"
 
 namespace lcp::cli {
 
@@ -22,9 +21,7 @@ namespace {
 std::vector<Instance> load(const std::vector<std::string>& corpora, const ReadOptions& reading) {
   std::vector<Instance> all;
   for (const std::string& corpus : corpora) {
-    std::vector<Instance> loaded = load_instances(
-        corpus, [](const std::string& line) { fmt::print(stderr, "left out: {}\n", line); },
-        reading);
+    std::vector<Instance> loaded = read_instances(corpus, reading);
     std::move(loaded.begin(), loaded.end(), std::back_inserter(all));
   }
   return all;

@@ -1,16 +1,19 @@
 #pragma once
 
 #include <CLI/CLI.hpp>
+#include <string>
+#include <vector>
 
+#include "problems/instance.h"
 #include "problems/io/read_options.h"
 
 namespace lcp::cli {
 
 /// Adds --directions to the page of a verb that reads instances.
-inline void add_reading_option(CLI::App& page, ReadOptions& reading) {
-  page.add_option("--directions", reading.directions,
-                  "Friction directions of contacts that come without them (FCLIB, Siconos); even")
-      ->capture_default_str();
-}
+void add_reading_option(CLI::App& page, ReadOptions& reading);
+
+/// Instances at `where` (see load_instances); files of a directory that cannot be read are left out
+/// and named on stderr.
+std::vector<Instance> read_instances(const std::string& where, const ReadOptions& reading);
 
 }  // namespace lcp::cli

@@ -11,7 +11,6 @@
 #include "harness/judge.h"
 #include "harness/runs/record.h"
 #include "harness/trace.h"
-#include "problems/io/load.h"
 
 namespace lcp::cli {
 
@@ -79,7 +78,7 @@ void print(const Instance& instance, const NamedSolver& solver, const Result& re
 int solve(const SolveArguments& arguments) {
   const std::vector<NamedSolver> solvers = make_solvers(arguments.solvers);
   Json all = Json::array();
-  for (const Instance& instance : load_instances(arguments.where, {}, arguments.reading)) {
+  for (const Instance& instance : read_instances(arguments.where, arguments.reading)) {
     for (const NamedSolver& solver : solvers) {
       Trace trace(instance.problem);
       Call call;

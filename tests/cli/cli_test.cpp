@@ -99,6 +99,37 @@ TEST_F(Cli, ATruncatedCorpusIsStatusThree) {
   expect_complaint({"info", "half.hdf5"}, 3, {"half.hdf5"});
 }
 
+TEST_F(Cli, EveryKindOfBadFileIsStatusThreeAndALineThatNamesIt) {
+  for (const std::string name : {"x.hdf5", "x.json", "x.dat", "x.M.mtx"}) {
+    write_text(file(name), "");
+    expect_complaint({"info", name}, 3, {name});
+    write_text(file(name), std::string("\x7f\0\n junk", 8));
+    expect_complaint({"info", name}, 3, {name});
+    std::filesystem::remove(file(name));
+    std::filesystem::create_directory(file(name));
+    expect_complaint({"info", name}, 3, {name, "no readable instance"});
+    std::filesystem::remove(file(name));
+  }
+  write_text(file("nan.dat"), "2 0 2 2 2 2  1 nan 0 1  -1 -1\n");
+  expect_complaint({"info", "nan.dat"}, 3, {"nan.dat"});
+  write_text(file("wide.json"), R"({"M": [[1, 2, 3], [4, 5, 6]], "q": [1, 2]})");
+  expect_complaint({"info", "wide.json"}, 3, {"wide.json", "/M/0", "has 3 entries, expected 2"});
+  write_text(file("wide.M.mtx"), "%%MatrixMarket matrix array real general\n1 2\n1\n2\n");
+  write_text(file("wide.q.mtx"), "%%MatrixMarket matrix array real general\n1 1\n1\n");
+  expect_complaint({"info", "wide.M.mtx"}, 3, {"wide.M.mtx", "1 x 2, expected a square matrix"});
+  write_text(file("noise.txt"), "");
+  expect_complaint({"info", "noise.txt"}, 3, {"unknown ending", ".hdf5", ".json", ".dat"});
+}
+
+TEST_F(Cli, TheGoodFilesOfADirectoryAreReadAndTheBadOnesNamed) {
+  write_text(file("good.json"), R"({"M": [[1]], "q": [-1]})");
+  write_text(file("bad.json"), "{");
+  const Ran ran = run({"info", ".", "--json"});
+  EXPECT_EQ(ran.status, 0) << ran.err;
+  EXPECT_EQ(Json::parse(ran.out).at("instances").size(), 1u);
+  EXPECT_EQ(ran.err.rfind("left out: ./bad.json: ", 0), 0u) << ran.err;
+}
+
 TEST_F(Cli, MalformedRowsAreStatusThreeWithTheirLine) {
   std::filesystem::create_directory(file("run"));
   write_text(file("run/rows.jsonl"), "{\"schema\": 1}\n{}\n");
@@ -146,11 +177,12 @@ TEST_F(Cli, ListsTellWhatThereIs) {
 }
 
 TEST_F(Cli, ARunLeavesRowsTablesAndChartAndPrintsTheTable) {
-  const Ran ran = run(
-      {"run", "--suite", "small", "--limit", "3", "--solver", "lemke", "--solver", "best-first"});
+  ASSERT_EQ(run({"generate", "published", "--count", "3", "--out", "small.json"}).status, 0);
+  const Ran ran =
+      run({"run", "--corpus", "small.json", "--solver", "lemke", "--solver", "best-first"});
   ASSERT_EQ(ran.status, 0) << ran.err;
-  for (const char* name : {"rows.jsonl", "env.json", "table.txt", "table.csv", "table.json",
-                           "chart.svg", "chart.gp", "chart.dat"})
+  for (const char* name : {"run.json", "rows.jsonl", "env.json", "table.txt", "table.csv",
+                           "table.json", "chart.svg", "chart.gp", "chart.dat"})
     EXPECT_TRUE(exists(std::string("runs/small/") + name)) << name;
   EXPECT_EQ(ran.out, read_text(file("runs/small/table.txt")));
   EXPECT_EQ(ran.out, run({"table", "runs/small"}).out);
@@ -169,18 +201,17 @@ TEST_F(Cli, AnExistingDirectoryIsRefusedAndKept) {
 }
 
 TEST_F(Cli, ADryRunPrintsThePairsAndWritesNothing) {
-  const Ran ran = run({"run", "--suite", "small", "--limit", "2", "--dry-run"});
+  const Ran ran = run({"run", "--suite", "contact", "--limit", "1", "--dry-run"});
   EXPECT_EQ(ran.status, 0);
-  EXPECT_EQ(std::count(ran.out.begin(), ran.out.end(), '\n'), 2 * 16);
+  EXPECT_EQ(std::count(ran.out.begin(), ran.out.end(), '\n'), 10 * 16);
   EXPECT_NE(ran.out.find("lexicographic-pivot:delta=0\n"), std::string::npos);
   EXPECT_FALSE(exists("runs"));
 }
 
 TEST_F(Cli, TablesAreJudgedAnewAtAnotherTolerance) {
-  ASSERT_EQ(
-      run({"run", "--suite", "small", "--limit", "8", "--solver", "lexicographic", "--out", "r"})
-          .status,
-      0);
+  ASSERT_EQ(run({"generate", "published", "--count", "8", "--out", "p.json"}).status, 0);
+  ASSERT_EQ(run({"run", "--corpus", "p.json", "--solver", "lexicographic", "--out", "r"}).status,
+            0);
   const Json as_run = table("r")[0];
   const Json anew =
       Json::parse(run({"table", "r", "--tolerance", "1e-300", "--format", "json"}).out)["rows"][0];
@@ -192,8 +223,9 @@ TEST_F(Cli, TablesAreJudgedAnewAtAnotherTolerance) {
 }
 
 TEST_F(Cli, ASweepHasARowPerStepOfTheLadder) {
-  const Ran ran = run({"sweep", "--solver", "best-first", "--option", "e_max", "--suite", "small",
-                       "--limit", "1", "--out", "s"});
+  ASSERT_EQ(run({"generate", "published", "--count", "1", "--out", "p.json"}).status, 0);
+  const Ran ran = run(
+      {"sweep", "--solver", "best-first", "--option", "e_max", "--corpus", "p.json", "--out", "s"});
   ASSERT_EQ(ran.status, 0) << ran.err;
   EXPECT_NE(ran.out.find("best-first:e_max=0.001"), std::string::npos) << ran.out;
   EXPECT_EQ(table("s").size(), 4u);
