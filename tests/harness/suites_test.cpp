@@ -13,8 +13,9 @@ namespace {
 
 TEST(Suites, NameOnlySolversThatExistAndEachOnce) {
   for (const Suite& suite : suites()) {
-    if (suite.solvers != std::vector<std::string>{"all"})
+    if (suite.solvers != std::vector<std::string>{"all"}) {
       EXPECT_EQ(make_solvers(suite.solvers).size(), suite.solvers.size()) << suite.name;
+    }
     EXPECT_FALSE(make_solvers(suite.solvers).empty()) << suite.name;
   }
 }
