@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <memory>
 #include <set>
 #include <stdexcept>
 
@@ -10,6 +11,17 @@
 
 namespace lcp {
 namespace {
+
+/// Throws unless the family and the knobs of a spelling exist; generates nothing, which may take long.
+void check_family(const std::string& text) {
+  const Spelling spelling = parse_spelling(text);
+  const auto row = std::find_if(families().begin(), families().end(), [&](const FamilyRow& each) {
+    return each.info.name == spelling.name;
+  });
+  if (row == families().end()) throw std::invalid_argument(text);
+  const std::unique_ptr<Family> family = row->make();
+  apply(family->options(), spelling, row->info.name);
+}
 
 TEST(Suites, NameOnlySolversThatExistAndEachOnce) {
   for (const Suite& suite : suites()) {
@@ -28,7 +40,7 @@ TEST(Suites, AreThoseTheUserWasPromised) {
 TEST(Suites, NameOnlyFamiliesThatExist) {
   for (const Suite& suite : suites())
     for (const SuitePart& part : suite.parts)
-      EXPECT_EQ(generate(part.family, {.count = 1}).size(), 1u) << part.family;
+      EXPECT_NO_THROW(check_family(part.family)) << part.family;
 }
 
 TEST(Suites, AreSortedByName) {

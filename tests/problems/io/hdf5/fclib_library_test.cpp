@@ -6,6 +6,7 @@
 #ifdef LCPBENCH_HAS_FCLIB
 
 #include <array>
+#include <cstdlib>
 #include <memory>
 
 #include "problems/contact/friction_lcp.h"
@@ -29,8 +30,12 @@ TEST(FclibLibrary, ReadsTheContactsThatWeWriteToTheBit) {
   const ContactProblem contacts = cases::random_contacts({0.3, 0.7, 0}, 100, uniform);
   save_instances(path, {make_instance("a/1", friction_lcp(contacts), {{"scene", "none"}})});
 
-  const std::unique_ptr<fclib_local, decltype(&fclib_delete_local)> read(
-      fclib_read_local(path.c_str()), &fclib_delete_local);
+  const auto release = [](fclib_local* problem) {
+    fclib_delete_local(problem);  // of what it points to, but not of itself
+    std::free(problem);
+  };
+  const std::unique_ptr<fclib_local, decltype(release)> read(fclib_read_local(path.c_str()),
+                                                             release);
   ASSERT_TRUE(read);
   EXPECT_EQ(read->spacedim, 3);
   EXPECT_EQ(read->V, nullptr);
