@@ -42,7 +42,7 @@ double Trace::condition(const std::vector<int>& basic) const {
       B.col(k) = -scaled_.c();
     }
   }
-  const VectorXd values = singular_values(B);
+  const VectorXd values = small_singular_values(B);
   const double least = values(n - 1);
   return least > 0 ? values(0) / least : std::numeric_limits<double>::infinity();
 }

@@ -11,4 +11,9 @@ VectorXd singular_values(const MatrixXd& matrix) {
   return Eigen::BDCSVD<MatrixXd>(matrix).singularValues();
 }
 
+VectorXd small_singular_values(const MatrixXd& matrix) {
+  if (matrix.size() == 0) return VectorXd();
+  return Eigen::JacobiSVD<MatrixXd>(matrix).singularValues();
+}
+
 }  // namespace lcp

@@ -74,7 +74,8 @@ std::string printed(const Json& value) {
   if (value.is_object())
     return fmt::format("{} ... {}", value["least"].dump(), value["greatest"].dump());
   if (value.is_array())
-    return value.empty() ? "no pivot" : fmt::format("{}", fmt::join(value, " "));
+    return value.empty() ? "no pivot"
+                         : fmt::format("{}", fmt::join(value.get<std::vector<Index>>(), " "));
   return value.dump();
 }
 

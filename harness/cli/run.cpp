@@ -14,6 +14,11 @@ struct RunArguments {
   std::vector<std::string> solvers;
 };
 
+/// What a run of a corpus is called: the file's name without its ending, or the directory's.
+std::string stem(const std::filesystem::path& corpus) {
+  return (corpus.has_filename() ? corpus : corpus.parent_path()).stem().string();
+}
+
 int run_suite_or_corpora(const RunArguments& arguments) {
   const std::string suite = suite_name(arguments.measurement);
   std::vector<std::string> solvers = arguments.solvers;
@@ -24,9 +29,7 @@ int run_suite_or_corpora(const RunArguments& arguments) {
       solvers = find_suite(suite).solvers;
     }
   }
-  const std::string name =
-      suite.empty() ? std::filesystem::path(arguments.measurement.corpora.front()).stem().string()
-                    : suite;
+  const std::string name = suite.empty() ? stem(arguments.measurement.corpora.front()) : suite;
   return measure(arguments.measurement, make_solvers(solvers), "runs/" + name);
 }
 

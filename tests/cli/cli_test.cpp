@@ -251,7 +251,12 @@ TEST_F(Cli, InfoDescribesAndConvertKeepsAnInstance) {
   const auto described = [&](const std::string& where) {
     return Json::parse(run({"info", where, "--json"}).out).at("instances");
   };
+  const std::string text = run({"info", "p.hdf5"}).out;
+  // kostreva-1 as q = (-1, -1, -1) ties all rows; the lexicographic rule ends after 4 pivots.
+  EXPECT_NE(text.find("tied in q              3\ntied at first pivots   3 "), std::string::npos)
+      << text;
   const Json before = described("p.hdf5");
+  EXPECT_EQ(before[0].at("tied at first pivots").size(), 4u);
   ASSERT_EQ(before.size(), 2u);
   EXPECT_EQ(before[0].at("n"), 3);
   const std::string one = "p.hdf5#" + before[0].at("name").get<std::string>();

@@ -104,6 +104,13 @@ TEST_F(Runs, ShardsHaveDirectoriesOfTheirOwnAndMergeIntoTheWhole) {
   EXPECT_FALSE(std::filesystem::exists(file("twice")));
 }
 
+TEST_F(Runs, ADirectorysRunIsCalledAfterIt) {
+  std::filesystem::create_directory(file("mine"));
+  std::filesystem::rename(file("p.hdf5"), file("mine/p.hdf5"));
+  EXPECT_EQ(run({"run", "--corpus", "mine/", "--solver", "lemke"}).status, 0);
+  EXPECT_EQ(rows("runs/mine"), 2);
+}
+
 TEST_F(Runs, AShardThatCannotBeIsRefused) {
   expect_complaint(measure("r", {"--shard", "3/2"}), 2, "--shard 3/2: expected I/N");
 }

@@ -1,5 +1,6 @@
 // What becomes of a run when the program is killed: resumed, it ends as if nothing had happened.
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -74,7 +75,7 @@ TEST_F(Survival, KilledAtTwentyRandomTimesARunIsResumedToTheSameRows) {
   // Where the machine has become faster since, some runs end before they are killed.
   for (int trial = 0; killed < 20 && trial < 100; ++trial) {
     const milliseconds delay(random() % static_cast<unsigned>(whole.count()));
-    const std::string name = "r" + std::to_string(trial);
+    const std::string name = fmt::format("r{}", trial);
     killed += run_and_kill(LCPBENCH, command(name), directory_.path(), delay).status == -SIGKILL;
     if (std::filesystem::exists(at(name + "/rows.jsonl")))
       with_rows += !read_text(at(name + "/rows.jsonl")).empty();
@@ -95,7 +96,7 @@ TEST_F(Survival, KilledAgainAndAgainItStillEnds) {
 
 TEST_F(Survival, KilledInsideARowsWriteItLosesThatRowAlone) {
   for (const int row : {1, 7, 30}) {
-    const std::string name = "r" + std::to_string(row);
+    const std::string name = fmt::format("r{}", row);
     ASSERT_EQ(
         run_and_kill_in_write(LCPBENCH, command(name), directory_.path(), "rows.jsonl", row).status,
         -SIGKILL);

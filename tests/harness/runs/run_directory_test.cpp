@@ -1,5 +1,6 @@
 #include "harness/runs/run_directory.h"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -160,8 +161,9 @@ TEST_F(RunDirectory, ShardsShareOutTheInstances) {
   for (Index k = 0; k < 4; ++k) {
     RunPlan plan = small_plan();
     plan.shard = {k, 4};
-    rows += run_small(at("r" + std::to_string(k)), plan).rows;
-    for (const Record& row : read_run(at("r" + std::to_string(k)))) EXPECT_EQ(row.place % 4, k);
+    const std::string directory = at(fmt::format("r{}", k));
+    rows += run_small(directory, plan).rows;
+    for (const Record& row : read_run(directory)) EXPECT_EQ(row.place % 4, k);
   }
   EXPECT_EQ(rows, 18u);
 }
