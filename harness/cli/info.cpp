@@ -34,12 +34,16 @@ Json or_null(const std::optional<Number>& number) {
 }
 
 /// How many rows each of the first pivots could have taken: rows within the tie threshold of the
-/// minimum ratio, on the path of the lexicographic rule with its default options.
+/// minimum ratio, on the path of the lexicographic rule with its default options. Step 0, where z0
+/// enters, is left out: its ties are those in q.
 Json ties_of_first_pivots(const Instance& instance) {
   constexpr const char* rule = "lexicographic-revised:max_pivots=10";
   Json ties = Json::array();
   Call call;
-  call.observer = [&ties](const PivotEvent& pivot) { ties.push_back(pivot.tied); };
+  const Index z0 = 2 * instance.problem.size();
+  call.observer = [&](const PivotEvent& pivot) {
+    if (pivot.entering != z0) ties.push_back(pivot.tied);
+  };
   make_solver(rule).solver->solve(instance.problem, call);
   return ties;
 }
