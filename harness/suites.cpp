@@ -105,8 +105,9 @@ Parts scaling_parts() {
   for (const char* family :
        {"body-on-plane:contacts=8", "body-on-plane:contacts=32", "body-on-plane:contacts=64",
         "body-on-plane:contacts=128", "draped-chain:links=13,wrapped=6",
-        "draped-chain:links=52,wrapped=26", "draped-chain:links=100,wrapped=50", "stack:bodies=2",
-        "stack:bodies=8", "stack:bodies=16", "stack:bodies=32"})
+        "draped-chain:links=52,wrapped=26", "draped-chain:links=100,wrapped=50",
+        "stack:bodies=2,mass_ratio=1", "stack:bodies=8,mass_ratio=1",
+        "stack:bodies=16,mass_ratio=1", "stack:bodies=32,mass_ratio=1"})
     parts.push_back({.family = family, .count = 5});
   return parts;
 }

@@ -38,7 +38,7 @@ Verb add_merge(CLI::App& program) {
   auto arguments = std::make_shared<MergeArguments>();
   page->add_option("DIR", arguments->directories, "Run directories, then the new one: DIR... OUT")
       ->required()
-      ->expected(2, 10000);
+      ->expected(2, CLI::detail::expected_max_vector_size);
   page->add_flag("--mixed", arguments->options.mixed,
                  "Join rows of different commits or environments too");
   page->footer(

@@ -44,7 +44,8 @@ Verb add_run(CLI::App& program) {
       ->allow_extra_args(false);
   add_options(*page, arguments->measurement);
   page->footer(
-      "Writes DIR/{rows.jsonl, env.json, table.txt, table.csv, table.json, chart.svg}; DIR is "
+      "Writes DIR/{run.json, env.json, rows.jsonl, table.txt, table.csv, table.json, chart.svg}; "
+      "DIR is "
       "runs/SUITE unless --out names it.\n"
       "Example:\n"
       "  lcpbench run --suite small --solver 'best-first*' --solver lexicographic:delta=1e-10");
