@@ -48,7 +48,7 @@ class NumberHash {
   }
 
  private:
-  /// OpenSSL takes many numbers at once: one at a time costs five times as much.
+  /// Many numbers at once: one at a time takes OpenSSL twice as long.
   void add(const double* numbers, Index count) {
     constexpr Index most = 4096;
     double buffer[most];

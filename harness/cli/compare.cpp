@@ -103,7 +103,7 @@ Verb add_compare(CLI::App& program) {
       "Lists pairs that lost `solved`, then those with more pivots, then slower ones, worst "
       "first.\n"
       "Example:\n"
-      "  lcpbench compare results/small runs/small");
+      "  lcpbench compare runs/before runs/after");
   return {page, [arguments] { return compare_runs(*arguments); }};
 }
 

@@ -126,6 +126,29 @@ void require_same_run(const fs::path& directory, const RunSettings& begun, const
                     directory.string(), fmt::join(found, "; ")));
 }
 
+/// Makes a directory that holds a run ready to go on with it: `plan` gets the pairs done, and
+/// the settings to store come back.
+RunSettings resume(const fs::path& directory, RunPlan& plan, RunSettings settings,
+                   const json& environment, const std::function<void(const std::string&)>& note) {
+  const auto [before, known] = read_run_header(directory);
+  require_same_run(directory, before, settings, known.front(), environment);
+  if (environment.at("dirty") == true)
+    note("built from a changed tree: rows of different code cannot be told apart");
+  const bool new_here = std::none_of(known.begin(), known.end(), [&](const json& each) {
+    return each.at("id") == environment.at("id");
+  });
+  if (new_here) {
+    note("the run goes on in another environment: compare times within one only");
+    write_json(file_of(directory, environment, false), environment);
+  }
+  remove_unfinished(directory);
+  plan.done = pairs_done(directory);
+  std::vector<std::string> solvers = before.solvers;
+  append_missing(solvers, settings.solvers);
+  settings.solvers = std::move(solvers);
+  return settings;
+}
+
 }  // namespace
 
 RunReport run_into(const fs::path& directory, RunPlan plan, const Origin& origin, Existing existing,
@@ -147,23 +170,7 @@ RunReport run_into(const fs::path& directory, RunPlan plan, const Origin& origin
   plan.environment = environment.at("id").get<std::string>();
   RunSettings settings = settings_of(plan, origin);
   if (begun) {
-    const auto [before, known] = read_run_header(directory);
-    require_same_run(directory, before, settings, known.front(), environment);
-    if (environment.at("dirty") == true)
-      note("built from a changed tree: rows of different code cannot be told apart");
-    const bool new_here = std::none_of(known.begin(), known.end(), [&](const json& each) {
-      return each.at("id") == environment.at("id");
-    });
-    if (new_here) {
-      note("the run goes on in another environment: compare times within one only");
-      write_json(file_of(directory, environment, false), environment);
-    }
-    remove_unfinished(directory);
-    std::vector<std::string> solvers = before.solvers;
-    append_missing(solvers, settings.solvers);
-    settings.solvers = solvers;
-    settings.seconds = before.seconds;
-    plan.done = pairs_done(directory);
+    settings = resume(directory, plan, std::move(settings), environment, note);
   } else {
     create(directory);
     write_json(file_of(directory, environment, true), environment);
@@ -171,7 +178,6 @@ RunReport run_into(const fs::path& directory, RunPlan plan, const Origin& origin
 
   RunReport report{.rows_before = plan.done.size(), .rows = 0};
   if (begun && open_pairs(plan).empty()) return report;
-  settings.seconds.reset();
   write_json(directory / "run.json", settings);
   const auto writer =
       writing_rows([&] { return std::make_unique<RecordWriter>(directory.string()); });

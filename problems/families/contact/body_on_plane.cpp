@@ -29,6 +29,7 @@
 #include "problems/contact/frame_series.h"
 #include "problems/contact/reduction.h"
 #include "problems/drawing/random.h"
+#include "problems/families/contact/frame_knobs.h"
 #include "problems/families/contact/rigid_bodies.h"
 #include "problems/registry.h"
 
@@ -58,15 +59,11 @@ struct PlaneKnobs {
   double height = 0.1;
   double inertia = 1;
   ReductionOptions reduction{.method = ReductionOptions::Method::none};
-  double mu = 0.5;
-  Index directions = 8;
-  FrictionModel::Axes axes = FrictionModel::Axes::fixed;
-  double dt = 1e-3;
-  std::string driver = "best-first";
+  FrameKnobs frame;
 };
 
 OptionTable knob_table(PlaneKnobs& knobs) {
-  return {
+  OptionTable own = {
       count("contacts", knobs.contacts, 3, 256, "points before the reduction"),
       choice("layout", knobs.layout, {"coplanar", "collinear", "duplicated", "noisy"},
              "how the points lie"),
@@ -88,13 +85,8 @@ OptionTable knob_table(PlaneKnobs& knobs) {
              "which points become contacts: all, the paper's choice, the four deepest"),
       choice("separating", knobs.reduction.separating, {"keep", "as-others", "drop"},
              "what a reduction does with points whose bodies separate"),
-      real("mu", knobs.mu, 0, 10, "friction coefficient"),
-      count("directions", knobs.directions, 2, 64, "friction directions per contact, even"),
-      choice("axes", knobs.axes, {"fixed", "slip"},
-             "the first direction is along x, or along the slip velocity of a sliding contact"),
-      real("dt", knobs.dt, 1e-5, 0.1, "time step, s"),
-      text("driver", knobs.driver, "solver that tells which contacts are active"),
   };
+  return with_frame_knobs(std::move(own), knobs.frame, "along x", driver_of_lone_frames);
 }
 
 /// From the middle of the patch to its edge at an angle, m.
@@ -171,7 +163,7 @@ std::vector<Instance> generate_plane(const PlaneKnobs& knobs, const Draw& draw) 
     throw std::invalid_argument(
         fmt::format("body-on-plane: contacts={}: expected a multiple of copies={}", knobs.contacts,
                     knobs.copies));
-  const NamedSolver driver = make_solver(knobs.driver);
+  const NamedSolver driver = make_solver(knobs.frame.driver);
   Random random(draw.seed);
   std::vector<Instance> instances;
   for (Index number = 0; number < draw.count; ++number) {
@@ -179,10 +171,12 @@ std::vector<Instance> generate_plane(const PlaneKnobs& knobs, const Draw& draw) 
     const std::vector<ContactPoint> points = draw_points(knobs, body, random);
     std::vector<PlacedContact> contacts;
     for (const Index i : reduce_contacts(points, knobs.reduction))
-      contacts.push_back({make_contact(points[i].normal, Vector3d::UnitX(), knobs.mu, points[i].id),
-                          points[i].position, points[i].depth});
-    instances.push_back(lone_frame(draw.corpus, number, contact_problem({body}, contacts, knobs.dt),
-                                   {.directions = knobs.directions, .axes = knobs.axes}, driver,
+      contacts.push_back(
+          {make_contact(points[i].normal, Vector3d::UnitX(), knobs.frame.mu, points[i].id),
+           points[i].position, points[i].depth});
+    instances.push_back(lone_frame(draw.corpus, number,
+                                   contact_problem({body}, contacts, knobs.frame.dt),
+                                   knobs.frame.friction_model(), driver,
                                    {{"points_found", std::to_string(points.size())},
                                     {"contact_positions", spell_positions(contacts)}}));
   }

@@ -24,6 +24,7 @@
 #include "problems/contact/frame_series.h"
 #include "problems/drawing/random.h"
 #include "problems/families/contact/bead_chain.h"
+#include "problems/families/contact/frame_knobs.h"
 #include "problems/registry.h"
 
 namespace lcp {
@@ -41,18 +42,14 @@ struct ChainKnobs {
   double bead_offset = 0.4;
   double axial_share = 0.05;
   double margin = 2e-4;
-  double mu = 0.3;
-  Index directions = 8;
-  FrictionModel::Axes axes = FrictionModel::Axes::fixed;
-  double dt = 1e-3;
-  std::string driver = "best-first";
+  FrameKnobs frame{.mu = 0.3};
   Index shake_every = 10;
   double slide_speed = 0.3;
   double shake_speed = 0.3;
 };
 
 OptionTable knob_table(ChainKnobs& knobs) {
-  return {
+  OptionTable own = {
       count("links", knobs.links, 2, 100, "links of the chain"),
       count("wrapped", knobs.wrapped, 2, 100,
             "links on the rod, two contacts each; half of the others hang on either side"),
@@ -64,16 +61,11 @@ OptionTable knob_table(ChainKnobs& knobs) {
            "bead from the centre of its link, in link lengths"),
       real("axial_share", knobs.axial_share, 1e-6, 1, "axial over transverse inertia of a link"),
       real("margin", knobs.margin, 0, 0.1, "largest gap of a contact, m"),
-      real("mu", knobs.mu, 0, 10, "friction coefficient"),
-      count("directions", knobs.directions, 2, 64, "friction directions per contact, even"),
-      choice("axes", knobs.axes, {"fixed", "slip"},
-             "the first direction is around the rod, or along the slip velocity where one slides"),
-      real("dt", knobs.dt, 1e-5, 0.1, "time step, s"),
-      text("driver", knobs.driver, "solver whose forces lead from frame to frame"),
       count("shake_every", knobs.shake_every, 1, 1000000, "frames between new velocities"),
       real("slide_speed", knobs.slide_speed, 0, 100, "largest speed around the rod, m/s"),
       real("shake_speed", knobs.shake_speed, 0, 100, "largest speed along the rod, m/s"),
   };
+  return with_frame_knobs(std::move(own), knobs.frame, "around the rod", driver_of_a_series);
 }
 
 /// From the centre of the rod to the centre of a link that lies on it, m.
@@ -88,7 +80,7 @@ FixedRod make_rod(const ChainKnobs& knobs) {
   rod.radius =
       std::hypot(link_distance(knobs), knobs.bead_offset * knobs.link_length) - knobs.bead_radius;
   rod.margin = knobs.margin;
-  rod.mu = knobs.mu;
+  rod.mu = knobs.frame.mu;
   return rod;
 }
 
@@ -145,19 +137,18 @@ std::vector<Instance> generate_chain(const ChainKnobs& knobs, const Draw& draw) 
         fmt::format("draped-chain: wrapped={} links leave no room for a rod between them; expected "
                     "more, longer ones, or smaller beads",
                     knobs.wrapped));
-  FrameSeries series(draw.corpus, knobs.driver,
-                     {.directions = knobs.directions, .axes = knobs.axes});
+  FrameSeries series(draw.corpus, knobs.frame.driver, knobs.frame.friction_model());
   Random random(draw.seed);
   BeadChain chain = drape(knobs);
   for (Index frame = 0; frame < draw.count; ++frame) {
     const bool shaken = frame % knobs.shake_every == 0;
     if (shaken) chain.nu = shake(chain, knobs, random);
-    const ChainStep step(chain, rod, knobs.dt);
+    const ChainStep step(chain, rod, knobs.frame.dt);
     const VectorXd forces =
-        series.add(step.contact_problem(), knobs.dt * static_cast<double>(frame + 1),
+        series.add(step.contact_problem(), knobs.frame.dt * static_cast<double>(frame + 1),
                    shaken ? "seeded sliding and shaking" : "");
     chain.nu = step.velocity_after(forces);
-    chain.advance(knobs.dt);
+    chain.advance(knobs.frame.dt);
   }
   return series.take();
 }

@@ -28,6 +28,7 @@
 
 #include "problems/contact/frame_series.h"
 #include "problems/drawing/random.h"
+#include "problems/families/contact/frame_knobs.h"
 #include "problems/families/contact/rigid_bodies.h"
 #include "problems/registry.h"
 
@@ -50,15 +51,11 @@ struct PegKnobs {
   double disturbance = 1e-3;
   double push = 5;
   double press = 0;
-  double mu = 0.3;
-  Index directions = 8;
-  FrictionModel::Axes axes = FrictionModel::Axes::fixed;
-  double dt = 1e-3;
-  std::string driver = "best-first";
+  FrameKnobs frame{.mu = 0.3};
 };
 
 OptionTable knob_table(PegKnobs& knobs) {
-  return {
+  OptionTable own = {
       count("rings", knobs.rings, 2, 32, "heights with contacts, from end to end"),
       count("per_ring", knobs.per_ring, 3, 64, "points around the peg at each height"),
       real("radius", knobs.radius, 1e-4, 10, "of the peg, m"),
@@ -72,13 +69,8 @@ OptionTable knob_table(PegKnobs& knobs) {
            "largest random velocity of the centre, and of the ends by turning, m/s"),
       real("push", knobs.push, 0, 1e6, "force across, at the upper end, N"),
       real("press", knobs.press, 0, 1e6, "force downwards, N"),
-      real("mu", knobs.mu, 0, 10, "friction coefficient"),
-      count("directions", knobs.directions, 2, 64, "friction directions per contact, even"),
-      choice("axes", knobs.axes, {"fixed", "slip"},
-             "the first direction is upwards, or along the slip velocity of a sliding contact"),
-      real("dt", knobs.dt, 1e-5, 0.1, "time step, s"),
-      text("driver", knobs.driver, "solver that tells which contacts are active"),
   };
+  return with_frame_knobs(std::move(own), knobs.frame, "upwards", driver_of_lone_frames);
 }
 
 /// Angle psi at which both ends of the peg touch: (l/2) sin psi + r cos psi = hole's radius.
@@ -140,7 +132,7 @@ std::vector<PlacedContact> touch(const PegKnobs& knobs, const RigidBody& peg) {
       const double gap = knobs.radius + knobs.clearance - radial.norm();
       if (gap > knobs.margin) continue;
       contacts.push_back(
-          {make_contact(-radial, Vector3d::UnitZ(), knobs.mu, {1, 0, k * knobs.per_ring + j}),
+          {make_contact(-radial, Vector3d::UnitZ(), knobs.frame.mu, {1, 0, k * knobs.per_ring + j}),
            point, -gap});
     }
   }
@@ -148,15 +140,15 @@ std::vector<PlacedContact> touch(const PegKnobs& knobs, const RigidBody& peg) {
 }
 
 std::vector<Instance> generate_peg(const PegKnobs& knobs, const Draw& draw) {
-  const NamedSolver driver = make_solver(knobs.driver);
+  const NamedSolver driver = make_solver(knobs.frame.driver);
   Random random(draw.seed);
   std::vector<Instance> instances;
   for (Index number = 0; number < draw.count; ++number) {
     const RigidBody peg = draw_peg(knobs, random);
     const std::vector<PlacedContact> contacts = touch(knobs, peg);
-    instances.push_back(lone_frame(draw.corpus, number, contact_problem({peg}, contacts, knobs.dt),
-                                   {.directions = knobs.directions, .axes = knobs.axes}, driver,
-                                   {{"contact_positions", spell_positions(contacts)}}));
+    instances.push_back(lone_frame(
+        draw.corpus, number, contact_problem({peg}, contacts, knobs.frame.dt),
+        knobs.frame.friction_model(), driver, {{"contact_positions", spell_positions(contacts)}}));
   }
   return instances;
 }

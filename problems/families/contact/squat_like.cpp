@@ -26,6 +26,7 @@
 #include <stdexcept>
 
 #include "problems/contact/frame_series.h"
+#include "problems/families/contact/frame_knobs.h"
 #include "problems/families/contact/rigid_bodies.h"
 #include "problems/registry.h"
 
@@ -36,11 +37,7 @@ using Eigen::Vector3d;
 
 struct SquatKnobs {
   Index contacts = 16;
-  double mu = 0.5;
-  Index directions = 8;
-  FrictionModel::Axes axes = FrictionModel::Axes::fixed;
-  double dt = 1e-3;
-  std::string driver = "best-first";
+  FrameKnobs frame;
   double mass = 7;
   double com_height = 0.28;
   double bob_amplitude = 0.06;
@@ -55,15 +52,9 @@ struct SquatKnobs {
 };
 
 OptionTable knob_table(SquatKnobs& knobs) {
-  return {
+  OptionTable own = {
       count("contacts", knobs.contacts, 4, 128,
             "even; along the edges of both soles: 8 corners only, 16 corners and mid-edges"),
-      real("mu", knobs.mu, 0, 10, "friction coefficient"),
-      count("directions", knobs.directions, 2, 64, "friction directions per contact, even"),
-      choice("axes", knobs.axes, {"fixed", "slip"},
-             "the first direction is forward, or along the slip velocity of a sliding contact"),
-      real("dt", knobs.dt, 1e-5, 0.1, "time step, s"),
-      text("driver", knobs.driver, "solver whose forces lead from frame to frame"),
       real("mass", knobs.mass, 1e-3, 1e6, "kg"),
       real("com_height", knobs.com_height, 0.01, 10, "highest point of the centre of mass, m"),
       real("bob_amplitude", knobs.bob_amplitude, 0, 1, "depth of the squat, m"),
@@ -76,6 +67,7 @@ OptionTable knob_table(SquatKnobs& knobs) {
       real("sole_width", knobs.sole_width, 1e-3, 10, "across it, m"),
       real("stance", knobs.stance, 0, 10, "between the centres of the soles, m"),
   };
+  return with_frame_knobs(std::move(own), knobs.frame, "forward", driver_of_a_series);
 }
 
 constexpr double kGravity = 9.81;  // m/s^2
@@ -102,31 +94,31 @@ class Squat {
   ContactProblem contact_problem(double time) const {
     const Vector3d r = motion(time).position;
     ContactProblem problem;
-    problem.dt = knobs_.dt;
+    problem.dt = knobs_.frame.dt;
     for (std::size_t i = 0; i < points_.size(); ++i)
-      problem.contacts.push_back(make_contact(Vector3d::UnitZ(), Vector3d::UnitX(), knobs_.mu,
+      problem.contacts.push_back(make_contact(Vector3d::UnitZ(), Vector3d::UnitX(), knobs_.frame.mu,
                                               {1, 0, static_cast<Index>(i)}));
     const MatrixXd axes = contact_axes(problem.contacts);
     const RigidBody body{.mass = knobs_.mass, .inertia = inertia_, .centre = r};
     MatrixXd A(6, axes.rows());
     for (Index row = 0; row < axes.rows(); ++row)
       A.col(row) = weighted_push(body, points_[row / 3], axes.row(row).transpose());
-    problem.W = delassus_matrix(A, knobs_.dt);
-    problem.v_before = velocities(axes, momentum_, time - knobs_.dt);
-    problem.vbar = velocities(axes, momentum_ + knobs_.dt * knobs_.mass * gravity(), time);
+    problem.W = delassus_matrix(A, knobs_.frame.dt);
+    problem.v_before = velocities(axes, momentum_, time - knobs_.frame.dt);
+    problem.vbar = velocities(axes, momentum_ + knobs_.frame.dt * knobs_.mass * gravity(), time);
     return problem;
   }
 
   /// Carries the body on under contact forces (3 Nc, N, contact axes).
   void step(double time, const ContactProblem& problem, const VectorXd& forces) {
     const Vector3d r = motion(time).position;
-    momentum_ += knobs_.dt * knobs_.mass * gravity();
+    momentum_ += knobs_.frame.dt * knobs_.mass * gravity();
     for (Index i = 0; i < problem.size(); ++i) {
       const Contact& contact = problem.contacts[i];
       const Vector3d f = forces(3 * i) * contact.n + forces(3 * i + 1) * contact.t1 +
                          forces(3 * i + 2) * contact.t2;
-      momentum_ += knobs_.dt * f;
-      omega_ += knobs_.dt * (points_[i] - r).cross(f).cwiseQuotient(inertia_);
+      momentum_ += knobs_.frame.dt * f;
+      omega_ += knobs_.frame.dt * (points_[i] - r).cross(f).cwiseQuotient(inertia_);
     }
   }
 
@@ -182,11 +174,10 @@ std::vector<Instance> generate_squat(const SquatKnobs& knobs, const Draw& draw) 
   if (knobs.contacts % 2 != 0)
     throw std::invalid_argument(fmt::format(
         "squat-like: contacts={}: expected an even number, half on each foot", knobs.contacts));
-  FrameSeries series(draw.corpus, knobs.driver,
-                     {.directions = knobs.directions, .axes = knobs.axes});
+  FrameSeries series(draw.corpus, knobs.frame.driver, knobs.frame.friction_model());
   Squat squat(knobs, draw.seed);
   for (Index frame = 0; frame < draw.count; ++frame) {
-    const double time = knobs.dt * static_cast<double>(frame + 1);
+    const double time = knobs.frame.dt * static_cast<double>(frame + 1);
     const ContactProblem problem = squat.contact_problem(time);
     squat.step(time, problem, series.add(problem, time, frame == 0 ? "feet at rest" : ""));
   }

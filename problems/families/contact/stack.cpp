@@ -25,6 +25,7 @@
 
 #include "problems/contact/frame_series.h"
 #include "problems/drawing/random.h"
+#include "problems/families/contact/frame_knobs.h"
 #include "problems/families/contact/rigid_bodies.h"
 #include "problems/registry.h"
 
@@ -43,15 +44,11 @@ struct StackKnobs {
   double height = 0.1;
   double offset = 0.01;
   double disturbance = 1e-3;
-  double mu = 0.5;
-  Index directions = 8;
-  FrictionModel::Axes axes = FrictionModel::Axes::fixed;
-  double dt = 1e-3;
-  std::string driver = "best-first";
+  FrameKnobs frame;
 };
 
 OptionTable knob_table(StackKnobs& knobs) {
-  return {
+  OptionTable own = {
       count("bodies", knobs.bodies, 1, 64, "boxes"),
       count("per_interface", knobs.per_interface, 3, 64,
             "contacts between neighbours and on the floor"),
@@ -63,13 +60,8 @@ OptionTable knob_table(StackKnobs& knobs) {
       real("offset", knobs.offset, 0, 10, "largest shift of a box along x and y, m"),
       real("disturbance", knobs.disturbance, 0, 100,
            "largest random velocity of a centre, and of the ends by turning, m/s"),
-      real("mu", knobs.mu, 0, 10, "friction coefficient"),
-      count("directions", knobs.directions, 2, 64, "friction directions per contact, even"),
-      choice("axes", knobs.axes, {"fixed", "slip"},
-             "the first direction is along x, or along the slip velocity of a sliding contact"),
-      real("dt", knobs.dt, 1e-5, 0.1, "time step, s"),
-      text("driver", knobs.driver, "solver that tells which contacts are active"),
   };
+  return with_frame_knobs(std::move(own), knobs.frame, "along x", driver_of_lone_frames);
 }
 
 std::vector<RigidBody> draw_bodies(const StackKnobs& knobs, Random& random) {
@@ -105,7 +97,7 @@ std::vector<PlacedContact> touch(const StackKnobs& knobs, const std::vector<Rigi
                                                    knobs.width - shift.y(), knobs.per_interface)) {
       const Index feature = static_cast<Index>(contacts.size()) - b * knobs.per_interface;
       contacts.push_back(
-          {make_contact(Vector3d::UnitZ(), Vector3d::UnitX(), knobs.mu, {b + 1, b, feature}),
+          {make_contact(Vector3d::UnitZ(), Vector3d::UnitX(), knobs.frame.mu, {b + 1, b, feature}),
            point});
     }
   }
@@ -119,15 +111,15 @@ std::vector<Instance> generate_stack(const StackKnobs& knobs, const Draw& draw) 
         "stack: offset={}: neighbours may miss one another; expected less than half the "
         "shorter edge, {}",
         knobs.offset, narrow / 2));
-  const NamedSolver driver = make_solver(knobs.driver);
+  const NamedSolver driver = make_solver(knobs.frame.driver);
   Random random(draw.seed);
   std::vector<Instance> instances;
   for (Index number = 0; number < draw.count; ++number) {
     const std::vector<RigidBody> bodies = draw_bodies(knobs, random);
     const std::vector<PlacedContact> contacts = touch(knobs, bodies);
-    instances.push_back(lone_frame(draw.corpus, number, contact_problem(bodies, contacts, knobs.dt),
-                                   {.directions = knobs.directions, .axes = knobs.axes}, driver,
-                                   {{"contact_positions", spell_positions(contacts)}}));
+    instances.push_back(lone_frame(
+        draw.corpus, number, contact_problem(bodies, contacts, knobs.frame.dt),
+        knobs.frame.friction_model(), driver, {{"contact_positions", spell_positions(contacts)}}));
   }
   return instances;
 }

@@ -1,0 +1,43 @@
+#pragma once
+
+#include <fmt/format.h>
+
+#include <string>
+
+#include "problems/contact/friction_directions.h"
+#include "solvers/options.h"
+
+namespace lcp {
+
+/// The knobs that every contact family has.
+struct FrameKnobs {
+  double mu = 0.5;
+  Index directions = 8;
+  FrictionModel::Axes axes = FrictionModel::Axes::fixed;
+  double dt = 1e-3;  ///< s.
+  std::string driver = "best-first";
+
+  FrictionModel friction_model() const { return {.directions = directions, .axes = axes}; }
+};
+
+/// Appends them to a family's own. `first_direction` says where fixed axes begin, `driver` what the
+/// driver is for.
+inline OptionTable with_frame_knobs(OptionTable table, FrameKnobs& knobs,
+                                    const char* first_direction, const char* driver) {
+  table.push_back(real("mu", knobs.mu, 0, 10, "friction coefficient"));
+  table.push_back(
+      count("directions", knobs.directions, 2, 64, "friction directions per contact, even"));
+  table.push_back(choice("axes", knobs.axes, {"fixed", "slip"},
+                         fmt::format("the first direction is {}, or along the slip velocity of a "
+                                     "sliding contact",
+                                     first_direction)));
+  table.push_back(real("dt", knobs.dt, 1e-5, 0.1, "time step, s"));
+  table.push_back(text("driver", knobs.driver, driver));
+  return table;
+}
+
+/// What the driver of a series of frames, and of frames on their own, is for.
+inline constexpr const char* driver_of_a_series = "solver whose forces lead from frame to frame";
+inline constexpr const char* driver_of_lone_frames = "solver that tells which contacts are active";
+
+}  // namespace lcp
