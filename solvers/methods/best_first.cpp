@@ -15,6 +15,9 @@
 //           basis is opened twice with the same driving variable, so the search ends. In floating
 //           point a branch ends when its basis becomes singular or its error passes e_max, and
 //           another is taken; candidates are lost when epsilon is below the rounding error of q'.
+// Order     Where many contacts hold few freedoms most candidates cost nothing. Among them larger
+//           pivots come first (Harris' idea for the ratio test): a pivot of 1e-9 among fourteen tied
+//           ones leads into a subtree without a way out, which is then searched to its end.
 // Differs   from lexicographic.cpp: a bad choice among tied rows can be taken back. The cost as
 //           printed, sum of exp(-q_min), is about 1 per pivot where problems are degenerate and
 //           makes the search breadth-first; `best-first-uniform` keeps it for the record, the other
@@ -42,7 +45,7 @@ namespace {
 enum class Ties { deepest, lifo, fifo };
 enum class Step0 { argmin, branch };
 enum class Cost { excess, printed };
-enum class Order { row, lexicographic };
+enum class Order { pivot, row, lexicographic };
 
 struct BestFirstOptions {
   double epsilon = 1e-9;
@@ -50,8 +53,8 @@ struct BestFirstOptions {
   Ties ties = Ties::deepest;
   Step0 step0 = Step0::argmin;
   Cost cost = Cost::excess;
-  double cost_grid = 1e-9;
-  Order order = Order::row;
+  double cost_grid = 1e-12;
+  Order order = Order::pivot;
   double delta = 1e-9;
   Index max_nodes = 20000;
   bool polish = true;
@@ -76,9 +79,9 @@ OptionTable option_table(BestFirstOptions& options, OptionTable pivoting) {
       real("cost_grid", options.cost_grid, 1e-15, 1,
            "costs are rounded to multiples of this, so that the C library's exp decides nothing"),
       choice(
-          "order", options.order, {"row", "lexicographic"},
-          "siblings of equal cost: by row, or the lexicographic rule's choice first; then pivots "
-          "with q_min above -cost_grid/2 cost 0"),
+          "order", options.order, {"pivot", "row", "lexicographic"},
+          "siblings of equal cost: larger pivots first; by row; or the lexicographic rule's choice "
+          "first, and then pivots with q_min above -cost_grid/2 cost 0"),
       real("delta", options.delta, 0, 1, "tie threshold of order=lexicographic; scale worked in"),
       count("max_nodes", options.max_nodes, 1, 100'000'000, "nodes opened before `limit`"),
       flag("polish", options.polish,
@@ -245,9 +248,17 @@ class Search {
     const Index z0_row = labels().row_of(labels().z0());
     const auto z0 = std::find_if(candidates.begin(), candidates.end(),
                                  [=](const Candidate& c) { return c.row == z0_row; });
-    if (z0 != candidates.end()) candidates = {Candidate(*z0)};  // a solution: nothing else matters
+    if (z0 != candidates.end()) {  // a solution: nothing else matters
+      candidates = {Candidate(*z0)};
+      // Nor may its q_min make it wait: whole levels of cost 0 would be searched first.
+      if (options_.cost == Cost::excess) candidates.front().cost = 0;
+    }
     if (options_.order == Order::lexicographic && candidates.size() > 1)
       put_lexicographic_choice_first(candidates);
+    if (options_.order == Order::pivot)
+      std::stable_sort(
+          candidates.begin(), candidates.end(),
+          [this](const Candidate& a, const Candidate& b) { return m_(a.row) < m_(b.row); });
     const BasisKey key = nodes_[x].key;  // nodes_ may move while it grows
     for (const Candidate& candidate : candidates)
       append(x, driving, candidate, static_cast<Index>(candidates.size()), key);
@@ -350,7 +361,8 @@ Result solve(const Problem& problem, const BestFirstOptions& options, const Call
 
 const Registration best_first{
     {"best-first", "best-first search over pivot candidates, each basis factorised afresh, scaled",
-     "Yamane and Nakamura 2008, III, with minus the depth as heuristic"},
+     "Yamane and Nakamura 2008, III, with minus the depth as heuristic", RowInfo::Kind::pivoting,
+     "2"},
     BestFirstOptions{},
     factorised_options,
     solve<Basis>};
@@ -358,7 +370,8 @@ const Registration best_first{
 const Registration best_first_lexicographic{
     {"best-first-lexicographic",
      "the same, opening the lexicographic rule's choice first among siblings of equal cost",
-     "best-first with the order of Yamane and Nakamura 2008, II-B; ours"},
+     "best-first with the order of Yamane and Nakamura 2008, II-B; ours", RowInfo::Kind::pivoting,
+     "2"},
     BestFirstOptions{.order = Order::lexicographic},
     factorised_options,
     solve<Basis>};
@@ -366,16 +379,19 @@ const Registration best_first_lexicographic{
 const Registration best_first_tableau{
     {"best-first-tableau",
      "the same search on an incrementally updated tableau with the paper's constants",
-     "Yamane and Nakamura 2008, III and V"},
-    BestFirstOptions{
-        .epsilon = 1e-3, .e_max = 1e-3, .polish = false, .pivoting = {.pivot = 0, .scale = false}},
+     "Yamane and Nakamura 2008, III and V", RowInfo::Kind::pivoting, "2"},
+    BestFirstOptions{.epsilon = 1e-3,
+                     .e_max = 1e-3,
+                     .order = Order::row,
+                     .polish = false,
+                     .pivoting = {.pivot = 0, .scale = false}},
     tableau_options,
     solve<Tableau>};
 
 const Registration best_first_uniform{
     {"best-first-uniform", "best-first with the cost exactly as printed (no depth term)",
      "Yamane and Nakamura 2008, Algorithm 2, line 7"},
-    BestFirstOptions{.cost = Cost::printed},
+    BestFirstOptions{.cost = Cost::printed, .order = Order::row},
     factorised_options,
     solve<Basis>};
 

@@ -1,0 +1,132 @@
+#include "problems/contact/contact_solution.h"
+
+#include <algorithm>
+
+namespace lcp {
+
+namespace {
+
+/// Contacts whose a_i is basic; nothing where the method keeps no basis.
+std::optional<std::vector<Index>> active_contacts(const Result& without,
+                                                  const FrictionBlocks& rows) {
+  if (!without.basis) return std::nullopt;
+  std::vector<Index> active;
+  for (Index i = 0; i < rows.contacts(); ++i)
+    if (std::binary_search(without.basis->begin(), without.basis->end(), rows.normal_row[i]))
+      active.push_back(i);
+  return active;
+}
+
+ContactProblem subset(const ContactProblem& problem, const std::vector<Index>& contacts) {
+  std::vector<Index> axes;
+  ContactProblem part;
+  part.dt = problem.dt;
+  for (const Index i : contacts) {
+    part.contacts.push_back(problem.contacts[i]);
+    for (Index k = 0; k < 3; ++k) axes.push_back(3 * i + k);
+  }
+  part.W = problem.W(axes, axes);
+  part.vbar = problem.vbar(axes);
+  part.v_before = problem.v_before(axes);
+  return part;
+}
+
+/// Puts the answer for the contacts `kept` into the rows of the full LCP. The others carry no force;
+/// their lambda is the slip speed they get, their w what M z + q gives where that is not negative,
+/// so that the error of w is the speed at which they sink.
+Result expanded(const Result& part, const FrictionBlocks& part_rows, const Problem& full,
+                const std::vector<Index>& kept) {
+  const FrictionBlocks& rows = *full.friction;
+  const Index m = rows.directions_per_contact;
+  Result whole = part;
+  whole.z = VectorXd::Zero(full.size());
+  VectorXd own_w = VectorXd::Constant(full.size(), -1);
+  std::vector<Index> basis;
+  const bool has_w = part.w.size() == part.z.size();
+  const auto take = [&](Index from, Index to) {
+    whole.z(to) = part.z(from);
+    if (has_w) own_w(to) = part.w(from);
+    if (part.basis && std::binary_search(part.basis->begin(), part.basis->end(), from))
+      basis.push_back(to);
+  };
+  for (std::size_t k = 0; k < kept.size(); ++k) {
+    const Index i = kept[k];
+    take(part_rows.normal_row[k], rows.normal_row[i]);
+    if (rows.friction_row[i] < 0) continue;
+    for (Index d = 0; d < m; ++d) take(part_rows.friction_row[k] + d, rows.friction_row[i] + d);
+    take(part_rows.cone_row[k], rows.cone_row[i]);
+  }
+  const VectorXd velocity = post_velocities(rows, contact_forces(rows, whole.z));
+  for (Index i = 0; i < rows.contacts(); ++i) {
+    if (rows.cone_row[i] < 0 || std::binary_search(kept.begin(), kept.end(), i)) continue;
+    const auto along =
+        rows.directions.middleCols(i * m, m).transpose() * velocity.segment<2>(3 * i + 1);
+    whole.z(rows.cone_row[i]) = std::max(0.0, -along.minCoeff());
+    if (whole.z(rows.cone_row[i]) > 0) basis.push_back(rows.cone_row[i]);
+  }
+  if (has_w) {
+    const VectorXd w = full.M * whole.z + full.q;
+    whole.w = (own_w.array() < 0).select(w.cwiseMax(0), own_w);
+  }
+  if (part.basis) {
+    std::sort(basis.begin(), basis.end());
+    whole.basis = std::move(basis);
+  }
+  whole.covering.resize(0);
+  return whole;
+}
+
+Result solve_active_only(const ContactProblem& problem, const ContactModel& model,
+                         const std::vector<Index>& active, const ContactSolution& solution,
+                         const ContactSolver& solver) {
+  const Problem part = friction_lcp(subset(problem, active), model.friction);
+  Call call;
+  if (model.start == ContactModel::Start::two_step) {
+    call.start.emplace();
+    for (std::size_t k = 0; k < active.size(); ++k)
+      call.start->alpha.push_back(part.friction->normal_row[k]);
+  }
+  return expanded(solver.solve(part, call), *part.friction, solution.frictional, active);
+}
+
+}  // namespace
+
+ContactSolution solve_contacts(const ContactProblem& problem, const ContactModel& model,
+                               const ContactSolver& solver) {
+  ContactSolution solution;
+  solution.frictional = friction_lcp(problem, model.friction);
+  solution.frictionless = frictionless_lcp(problem);
+  solution.without_friction = solver.solve(solution.frictionless, {});
+  solution.solved_without = solver.accept(solution.frictionless, solution.without_friction);
+  std::optional<std::vector<Index>> active;
+  if (solution.solved_without)
+    active = active_contacts(solution.without_friction, *solution.frictionless.friction);
+  if (active) solution.active = static_cast<Index>(active->size());
+
+  if (active && model.active_only) {
+    solution.with_friction = solve_active_only(problem, model, *active, solution, solver);
+  } else {
+    Call call;
+    const bool wants_start = model.start == ContactModel::Start::two_step;
+    if (wants_start && active) {
+      call.start.emplace();
+      for (const Index i : *active)
+        call.start->alpha.push_back(solution.frictional.friction->normal_row[i]);
+    }
+    solution.with_friction = solver.solve(solution.frictional, call);
+    if (wants_start && !active) ++solution.with_friction.work.restarts;
+  }
+  solution.solved_with = solver.accept(solution.frictional, solution.with_friction);
+
+  solution.forces = VectorXd::Zero(3 * problem.size());
+  if (solution.solved_with) {
+    solution.applied = Applied::frictional;
+    solution.forces = contact_forces(*solution.frictional.friction, solution.with_friction.z);
+  } else if (solution.solved_without) {
+    solution.applied = Applied::frictionless;
+    solution.forces = contact_forces(*solution.frictionless.friction, solution.without_friction.z);
+  }
+  return solution;
+}
+
+}  // namespace lcp

@@ -1,0 +1,95 @@
+#include "problems/rigid/contact_dynamics.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+namespace lcp {
+
+namespace {
+
+/// Cosine beyond which the world's x axis is too near the normal to be a tangent.
+constexpr double kAlongNormal = 0.9;
+
+Vector3d first_tangent(const Vector3d& normal) {
+  return std::abs(normal.x()) < kAlongNormal ? Vector3d::UnitX() : Vector3d::UnitY();
+}
+
+Index handle_place(const std::vector<Index>& handles, Index link) {
+  const auto place = std::lower_bound(handles.begin(), handles.end(), link);
+  if (place == handles.end() || *place != link)
+    throw std::invalid_argument(
+        fmt::format("contacts: link {} touches but is no handle of the dynamics", link));
+  return place - handles.begin();
+}
+
+ContactProblem without_matrix(const LinkContacts& contacts, const HandleDynamics& dynamics,
+                              double dt, const PositionCorrection& correction) {
+  ContactProblem problem;
+  problem.contacts = contacts.contacts;
+  problem.dt = dt;
+  problem.v_before = contacts.velocity;
+  problem.vbar = contacts.velocity + dt * (contacts.J * dynamics.phi + contacts.velocity_product);
+  for (Index i = 0; i < contacts.depth.size(); ++i)
+    problem.vbar(3 * i) -= correction.gain * std::max(0.0, contacts.depth(i)) / dt;
+  return problem;
+}
+
+}  // namespace
+
+LinkContacts link_contacts(const std::vector<ContactPoint>& points, double mu, const Kinematics& k,
+                           const std::vector<Index>& handles) {
+  const Index contacts = static_cast<Index>(points.size());
+  LinkContacts found;
+  found.J = MatrixXd::Zero(3 * contacts, 6 * handles.size());
+  found.velocity = VectorXd::Zero(3 * contacts);
+  found.velocity_product = VectorXd::Zero(3 * contacts);
+  found.depth.resize(contacts);
+  for (Index i = 0; i < contacts; ++i) {
+    const ContactPoint& point = points[i];
+    const Contact contact = make_contact(point.normal, first_tangent(point.normal), mu, point.id);
+    const Vector3d r = k.from_origin(point.position);
+    Vector3d velocity = Vector3d::Zero(), turning = Vector3d::Zero();
+    for (const auto& [body, sign] : {std::pair(point.id.body1, 1.0), {point.id.body2, -1.0}}) {
+      if (body == 0) continue;
+      const Index link = body - 1, column = 6 * handle_place(handles, link);
+      const Vector3d own = velocity_at(r, k.velocity[link]);
+      velocity += sign * own;
+      turning += sign * k.velocity[link].head<3>().cross(own);
+      Index row = 3 * i;
+      for (const Vector3d* axis : {&contact.n, &contact.t1, &contact.t2})
+        found.J.block<1, 6>(row++, column) = sign * force_at(r, *axis).transpose();
+    }
+    Index row = 3 * i;
+    for (const Vector3d* axis : {&contact.n, &contact.t1, &contact.t2}) {
+      found.velocity(row) = axis->dot(velocity);
+      found.velocity_product(row++) = axis->dot(turning);
+    }
+    found.depth(i) = point.depth;
+    found.contacts.push_back(contact);
+  }
+  return found;
+}
+
+ContactProblem contact_problem(const LinkContacts& contacts, const HandleDynamics& dynamics,
+                               double dt, const PositionCorrection& correction) {
+  ContactProblem problem = without_matrix(contacts, dynamics, dt, correction);
+  problem.W = dt * (contacts.J * dynamics.Phi * contacts.J.transpose());
+  return problem;
+}
+
+ContactProblem contact_problem(const LinkContacts& contacts, const HandleDynamics& dynamics,
+                               const Matrix6d& inertia_factor, double dt,
+                               const PositionCorrection& correction) {
+  ContactProblem problem = without_matrix(contacts, dynamics, dt, correction);
+  // All handles move as one: J acts on the sum of their columns.
+  MatrixXd J = MatrixXd::Zero(contacts.J.rows(), 6);
+  for (Index h = 0; h < contacts.J.cols() / 6; ++h) J += contacts.J.middleCols<6>(6 * h);
+  const MatrixXd A = inertia_factor.triangularView<Eigen::Lower>().solve(MatrixXd(J.transpose()));
+  problem.W = delassus_matrix(A, dt);
+  return problem;
+}
+
+}  // namespace lcp

@@ -1,0 +1,163 @@
+#include "problems/rigid/model.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <stdexcept>
+
+namespace lcp {
+
+namespace {
+
+using Eigen::Quaterniond;
+
+/// How far an axis may be from unit length, and an inertia from symmetry (relative): rounding.
+constexpr double kRounding = 1e-9;
+
+void check_link(const std::vector<Link>& links, Index i) {
+  const Link& link = links[i];
+  const auto require = [&](bool holds, const std::string& what) {
+    if (!holds) throw std::invalid_argument(fmt::format("link {} '{}': {}", i, link.name, what));
+  };
+  require(link.parent >= Link::world && link.parent < i,
+          fmt::format("parent is {}, expected -1 (the world) ... {}", link.parent, i - 1));
+  require(link.joint != JointKind::free || link.parent == Link::world,
+          "a free joint needs the world as parent");
+  require(link.mass > 0 && std::isfinite(link.mass),
+          fmt::format("mass is {} kg, expected more than 0", link.mass));
+  require(std::abs(link.axis.norm() - 1) <= kRounding, "axis is not of unit length");
+  const bool symmetric = (link.inertia - link.inertia.transpose()).cwiseAbs().maxCoeff() <=
+                         kRounding * link.inertia.cwiseAbs().maxCoeff();
+  require(symmetric && link.inertia.llt().info() == Eigen::Success,
+          "inertia is not symmetric and positive definite");
+}
+
+/// Where the quaternion of a joint begins among its coordinates; -1 without one.
+Index quaternion_of(JointKind kind) {
+  if (kind == JointKind::ball) return 0;
+  return kind == JointKind::free ? 3 : -1;
+}
+
+Quaterniond read_quaternion(const VectorXd& q, Index at) {
+  return Quaterniond(q(at + 3), q(at), q(at + 1), q(at + 2));
+}
+
+void write_quaternion(const Quaterniond& rotation, VectorXd& q, Index at) {
+  q.segment<4>(at) = rotation.coeffs();
+}
+
+Quaterniond rotation_by(const Vector3d& angles) {
+  const double angle = angles.norm();
+  if (angle == 0) return Quaterniond::Identity();
+  return Quaterniond(Eigen::AngleAxisd(angle, angles / angle));
+}
+
+}  // namespace
+
+Index coordinates(JointKind kind) {
+  switch (kind) {
+    case JointKind::fixed:
+      return 0;
+    case JointKind::revolute:
+    case JointKind::prescribed:
+      return 1;
+    case JointKind::ball:
+      return 4;
+    case JointKind::free:
+      return 7;
+  }
+  return 0;
+}
+
+Index velocities(JointKind kind) {
+  switch (kind) {
+    case JointKind::fixed:
+      return 0;
+    case JointKind::revolute:
+    case JointKind::prescribed:
+      return 1;
+    case JointKind::ball:
+      return 3;
+    case JointKind::free:
+      return 6;
+  }
+  return 0;
+}
+
+Model::Model(std::vector<Link> links) : links_(std::move(links)) {
+  for (Index i = 0; i < size(); ++i) {
+    check_link(links_, i);
+    q_of_.push_back(coordinates_);
+    u_of_.push_back(velocities_);
+    coordinates_ += lcp::coordinates(links_[i].joint);
+    velocities_ += lcp::velocities(links_[i].joint);
+    inverse_inertia_.push_back(links_[i].inertia.inverse());
+    if (links_[i].joint == JointKind::prescribed) prescribed_.push_back(i);
+  }
+}
+
+double Model::mass() const {
+  double sum = 0;
+  for (const Link& link : links_) sum += link.mass;
+  return sum;
+}
+
+Index Model::find(const std::string& name) const {
+  for (Index i = 0; i < size(); ++i)
+    if (links_[i].name == name) return i;
+  throw std::invalid_argument(fmt::format("model has no link '{}'", name));
+}
+
+State state_at_zero(const Model& model) {
+  State state{VectorXd::Zero(model.coordinates()), VectorXd::Zero(model.velocities()), 0};
+  for (Index i = 0; i < model.size(); ++i)
+    if (const Index at = quaternion_of(model.link(i).joint); at >= 0)
+      state.q(model.q_of(i) + at + 3) = 1;
+  return state;
+}
+
+VectorXd coordinate_rates(const Model& model, const VectorXd& q, const VectorXd& u) {
+  VectorXd rates(model.coordinates());
+  for (Index i = 0; i < model.size(); ++i) {
+    const JointKind kind = model.link(i).joint;
+    const Index at = model.q_of(i), from = model.u_of(i);
+    if (kind == JointKind::revolute || kind == JointKind::prescribed) {
+      rates(at) = u(from);
+    } else if (kind == JointKind::ball) {  // angular velocity in link axes: from the right
+      const Quaterniond spin(0, u(from), u(from + 1), u(from + 2));
+      rates.segment<4>(at) = 0.5 * (read_quaternion(q, at) * spin).coeffs();
+    } else if (kind == JointKind::free) {  // in world axes: from the left
+      const Quaterniond spin(0, u(from), u(from + 1), u(from + 2));
+      rates.segment<3>(at) = u.segment<3>(from + 3);
+      rates.segment<4>(at + 3) = 0.5 * (spin * read_quaternion(q, at + 3)).coeffs();
+    }
+  }
+  return rates;
+}
+
+VectorXd moved(const Model& model, const VectorXd& q, const VectorXd& u, double dt) {
+  VectorXd after = q;
+  for (Index i = 0; i < model.size(); ++i) {
+    const JointKind kind = model.link(i).joint;
+    const Index at = model.q_of(i), from = model.u_of(i);
+    if (kind == JointKind::revolute || kind == JointKind::prescribed) {
+      after(at) += dt * u(from);
+    } else if (kind == JointKind::ball) {
+      write_quaternion(read_quaternion(q, at) * rotation_by(dt * u.segment<3>(from)), after, at);
+    } else if (kind == JointKind::free) {
+      after.segment<3>(at) += dt * u.segment<3>(from + 3);
+      write_quaternion(rotation_by(dt * u.segment<3>(from)) * read_quaternion(q, at + 3), after,
+                       at + 3);
+    }
+  }
+  normalise(model, after);
+  return after;
+}
+
+void normalise(const Model& model, VectorXd& q) {
+  for (Index i = 0; i < model.size(); ++i)
+    if (const Index at = quaternion_of(model.link(i).joint); at >= 0)
+      q.segment<4>(model.q_of(i) + at).normalize();
+}
+
+}  // namespace lcp

@@ -1,0 +1,144 @@
+#include "problems/rigid/simulation.h"
+
+#include <fmt/format.h>
+
+#include <stdexcept>
+
+namespace lcp {
+
+Vector3d Frame::force(Index i) const {
+  const Contact& contact = contacts.contacts[i];
+  const auto f = solution.forces.segment<3>(3 * i);
+  return f(0) * contact.n + f(1) * contact.t1 + f(2) * contact.t2;
+}
+
+Simulation::Simulation(System system, Stepping stepping)
+    : system_(std::move(system)),
+      stepping_(std::move(stepping)),
+      state_(system_.start),
+      no_torques_(VectorXd::Zero(system_.model.velocities())),
+      dynamics_(system_.model, system_.handles) {
+  if (!(stepping_.dt > 0))
+    throw std::invalid_argument(
+        fmt::format("simulation: dt is {} s, expected a positive time", stepping_.dt));
+  if (!system_.model.prescribed().empty() && !system_.reference)
+    throw std::invalid_argument("simulation: prescribed joints without a reference motion");
+  follow_reference(state_);
+}
+
+void Simulation::step(const ContactSolver& solver, const std::function<void(const Frame&)>& look) {
+  const Vector3d origin = kinematics_of(state_, Vector3d::Zero()).pose.front().p;
+  const Kinematics here = kinematics_of(state_, origin);
+  dynamics_.assemble(here, no_torques_, system_.gravity);
+
+  Frame frame{.number = number_,
+              .state = state_,
+              .kinematics = here,
+              .points = {},
+              .links = {},
+              .contacts = {},
+              .solution = {},
+              .link_forces = {}};
+  frame.points = contact_points(here);
+  frame.points_found = static_cast<Index>(frame.points.size());
+  solve(frame, solver);
+  const VectorXd first_stage = dynamics_.disassemble(frame.link_forces).joints;
+  if (look) look(frame);
+
+  if (stepping_.scheme == Stepping::Scheme::paper) {
+    move_by_runge_kutta(first_stage, origin, frame.link_forces);
+  } else {
+    state_.u += stepping_.dt * first_stage;
+    state_.time += stepping_.dt;
+    follow_reference(state_);  // before q moves: prescribed q is set, not integrated
+    state_.q = moved(system_.model, state_.q, state_.u, stepping_.dt);
+    follow_reference(state_);
+  }
+  ++number_;
+}
+
+ContactProblem Simulation::composite_contacts(const Frame& frame) const {
+  const CompositeBody body(system_.model, system_.handles);
+  return contact_problem(frame.links, body.handle_dynamics(frame.kinematics, system_.gravity),
+                         body.inertia_factor(frame.kinematics), stepping_.dt, stepping_.correction);
+}
+
+JointMotion Simulation::reference(double time) const {
+  return system_.reference ? system_.reference(time) : JointMotion{};
+}
+
+void Simulation::follow_reference(State& state) const {
+  const JointMotion motion = reference(state.time);
+  Index next = 0;
+  for (const Index i : system_.model.prescribed()) {
+    state.q(system_.model.q_of(i)) = motion.angle(next);
+    state.u(system_.model.u_of(i)) = motion.rate(next++);
+  }
+}
+
+Kinematics Simulation::kinematics_of(const State& state, const Vector3d& origin) const {
+  return kinematics(system_.model, state, origin, reference(state.time).acceleration);
+}
+
+std::vector<ContactPoint> Simulation::contact_points(const Kinematics& k) const {
+  std::vector<ContactPoint> points = system_.collide(k);
+  for (ContactPoint& point : points) {
+    const Vector3d r = k.from_origin(point.position);
+    point.normal_velocity = 0;
+    for (const auto& [body, sign] : {std::pair(point.id.body1, 1.0), {point.id.body2, -1.0}})
+      if (body > 0)
+        point.normal_velocity += sign * point.normal.dot(velocity_at(r, k.velocity[body - 1]));
+  }
+  return points;
+}
+
+void Simulation::solve(Frame& frame, const ContactSolver& solver) {
+  frame.link_forces = VectorXd::Zero(6 * system_.handles.size());
+  if (frame.points.empty()) return;
+  if (stepping_.reduction.method != ReductionOptions::Method::none) {
+    std::vector<ContactPoint> kept;
+    for (const Index i : reduce_contacts(frame.points, stepping_.reduction))
+      kept.push_back(frame.points[i]);
+    frame.points = std::move(kept);
+  }
+  frame.links = link_contacts(frame.points, system_.mu, frame.kinematics, system_.handles);
+  frame.contacts = stepping_.composite ? composite_contacts(frame)
+                                       : contact_problem(frame.links, dynamics_.handle_dynamics(),
+                                                         stepping_.dt, stepping_.correction);
+  if (!frame.contacts.W.allFinite() || !frame.contacts.vbar.allFinite())
+    throw std::runtime_error(fmt::format(
+        "simulation: at {} s the bodies no longer move at finite speed", frame.state.time));
+  frame.solution = solve_contacts(frame.contacts, stepping_.contact, solver);
+  frame.link_forces = frame.links.J.transpose() * frame.solution.forces;  // (12)
+}
+
+VectorXd Simulation::accelerations(const State& state, const Vector3d& origin,
+                                   const VectorXd& forces) {
+  dynamics_.assemble(kinematics_of(state, origin), no_torques_, system_.gravity);
+  return dynamics_.disassemble(forces).joints;
+}
+
+void Simulation::move_by_runge_kutta(const VectorXd& first_stage, const Vector3d& origin,
+                                     const VectorXd& forces) {
+  const double dt = stepping_.dt;
+  VectorXd u_rate = first_stage;
+  VectorXd q_rate = coordinate_rates(system_.model, state_.q, state_.u);
+  VectorXd u_sum = u_rate, q_sum = q_rate;
+  for (const auto& [share, weight] : {std::pair(0.5, 2.0), {0.5, 2.0}, {1.0, 1.0}}) {
+    State stage{state_.q + share * dt * q_rate, state_.u + share * dt * u_rate,
+                state_.time + share * dt};
+    normalise(system_.model, stage.q);
+    follow_reference(stage);
+    u_rate = accelerations(stage, origin, forces);
+    q_rate = coordinate_rates(system_.model, stage.q, stage.u);
+    u_sum += weight * u_rate;
+    q_sum += weight * q_rate;
+  }
+  state_.u += dt / 6 * u_sum;
+  state_.q += dt / 6 * q_sum;
+  state_.time += dt;
+  normalise(system_.model, state_.q);
+  follow_reference(state_);
+}
+
+}  // namespace lcp

@@ -1,0 +1,95 @@
+#pragma once
+
+#include <functional>
+
+#include "problems/contact/contact_solution.h"
+#include "problems/rigid/contact_dynamics.h"
+
+namespace lcp {
+
+/// A system to simulate: bodies, where they start, what drives them and where they touch.
+struct System {
+  Model model;
+  State start;
+  std::vector<Index> handles;  ///< Links that may touch something, ascending.
+  /// What prescribed joints do at a time (s); may stay empty where there are none.
+  std::function<JointMotion(double time)> reference = {};
+  /// Points at which links touch; ids name bodies as body_of. Their normal velocities are filled in.
+  std::function<std::vector<ContactPoint>(const Kinematics&)> collide;
+  double mu = 0.5;                      ///< Of every contact.
+  Vector3d gravity = {0, 0, -9.80665};  ///< m/s^2.
+};
+
+struct Stepping {
+  enum class Scheme {
+    /// Fourth-order Runge-Kutta; contacts and forces of the first stage are held through the step.
+    paper,
+    /// Euler in u, then q moves with the new u.
+    semi_implicit,
+  };
+
+  Scheme scheme = Scheme::paper;
+  double dt = 1e-3;  ///< s.
+  ContactModel contact;
+  ReductionOptions reduction = {.method = ReductionOptions::Method::none};
+  PositionCorrection correction;
+  /// Contact matrices from the inertia of the composite body instead of the ADA (see
+  /// CompositeBody): for systems that move as one body.
+  bool composite = false;
+};
+
+/// One step, as it is before it moves the bodies. References hold while the caller looks at it.
+struct Frame {
+  Index number = 0;
+  const State& state;
+  const Kinematics& kinematics;
+  std::vector<ContactPoint> points;  ///< After reduction.
+  Index points_found = 0;            ///< Before.
+  LinkContacts links;
+  ContactProblem contacts;  ///< Empty where nothing touches, and so are the following.
+  ContactSolution solution;
+  VectorXd link_forces;  ///< 6N on the handles, at kinematics.origin.
+
+  /// Force of contact i on its body 1, N, world axes.
+  Vector3d force(Index i) const;
+};
+
+/// Steps a system through time, with a solver in the loop. Deterministic.
+class Simulation {
+ public:
+  /// Throws std::invalid_argument on a system that its parts refuse.
+  Simulation(System system, Stepping stepping);
+
+  const System& system() const { return system_; }
+  const Stepping& stepping() const { return stepping_; }
+  const State& state() const { return state_; }
+
+  /// Detects and solves the contacts, hands the frame to `look` and moves the bodies by dt: contact
+  /// forces act through the whole step as they are at its beginning (forces of world axes at points
+  /// fixed in the world). A contact problem that does not consist of finite numbers is not solved:
+  /// throws std::runtime_error naming the time.
+  void step(const ContactSolver& solver, const std::function<void(const Frame&)>& look = {});
+
+  /// The contact problem of a frame from the composite body's inertia. Throws std::invalid_argument
+  /// where the system does not move as one body.
+  ContactProblem composite_contacts(const Frame& frame) const;
+
+ private:
+  JointMotion reference(double time) const;
+  void follow_reference(State& state) const;
+  Kinematics kinematics_of(const State& state, const Vector3d& origin) const;
+  std::vector<ContactPoint> contact_points(const Kinematics& kinematics) const;
+  void solve(Frame& frame, const ContactSolver& solver);
+  VectorXd accelerations(const State& state, const Vector3d& origin, const VectorXd& forces);
+  void move_by_runge_kutta(const VectorXd& first_stage, const Vector3d& origin,
+                           const VectorXd& forces);
+
+  System system_;
+  Stepping stepping_;
+  State state_;
+  Index number_ = 0;
+  VectorXd no_torques_;
+  ForwardDynamics dynamics_;
+};
+
+}  // namespace lcp

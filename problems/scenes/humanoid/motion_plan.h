@@ -1,0 +1,45 @@
+#pragma once
+
+#include <functional>
+#include <memory>
+
+#include "problems/rigid/cubic_spline.h"
+#include "problems/rigid/simulation.h"
+#include "problems/scenes/humanoid/magnum.h"
+
+namespace lcp::magnum {
+
+/// Where the robot should be at one moment, world axes. The body is upright.
+struct Posture {
+  Vector3d centre_of_mass = Vector3d::Zero();  ///< Of the whole robot, m.
+  double yaw = 0;                              ///< Of the body, rad.
+  Pose left_sole, right_sole;                  ///< Frames of the soles.
+  double shoulder = 0;  ///< Flexion of both shoulders, rad, forward positive.
+};
+
+/// Joint angles over time that take the robot through postures.
+struct MotionPlan {
+  std::shared_ptr<const CubicSpline> joints;  ///< In the order of Model::prescribed().
+  State start;                                ///< At time 0, at rest.
+
+  JointMotion at(double time) const;
+};
+
+/// Finds the angles of the legs by Newton's method, and where the body stands by shifting it until
+/// the centre of mass is where it should be, at knots `spacing` (s) apart until `duration`; a clamped
+/// cubic spline joins them. Between knots the soles are where they should be up to the spline's error
+/// (spacing^4). The motion should begin and end at rest.
+///
+/// The floating body is not prescribed: it follows from the contact forces in the simulation.
+/// Throws std::runtime_error naming the time at which a posture is out of reach.
+MotionPlan plan_motion(const Model& model, const std::function<Posture(double time)>& posture,
+                       double duration, double spacing);
+
+/// Quintic from 0 to 1 as `share` goes from 0 to 1, with zero rate and acceleration at both ends; 0
+/// before and 1 after.
+double smooth_step(double share);
+
+/// The robot on the floor z = 0, following a plan, with these points of each sole to touch it.
+System on_the_floor(MotionPlan plan, bool mid_edges, double mu);
+
+}  // namespace lcp::magnum
