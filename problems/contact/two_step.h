@@ -18,7 +18,7 @@ struct TwoStep {
 ///
 /// Where the first step is not claimed solved, the second starts from the empty basis, that is cold:
 /// it counts one restart more, and its message begins with `frictionless LCP: CLAIM; started cold`.
-/// A start that the solver cannot use stays its own claim. Where there is nothing to start from, the
+/// A start that the solver cannot use, or a refusal of any start, stays its own claim. Where there is nothing to start from, the
 /// answer is z = 0 with the claim `unsupported`: no contact has friction, or the solver solves the
 /// first step and returns no basis, as iterative methods do.
 ///
