@@ -57,6 +57,7 @@ Work& Work::operator+=(const Work& other) {
   sweeps += other.sweeps;
   start_pivots += other.start_pivots;
   restarts += other.restarts;
+  frictionless_pivots += other.frictionless_pivots;
   return *this;
 }
 

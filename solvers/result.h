@@ -37,7 +37,10 @@ struct Work {
   Index factorisations = 0;  ///< LU factorisations of a basis.
   Index sweeps = 0;          ///< Passes of an iterative method.
   Index start_pivots = 0;    ///< Principal pivots taken to enter the starting basis, |alpha|.
-  Index restarts = 0;        ///< Times an unusable start was replaced by a cold one (restart=cold).
+  /// Times a start was replaced by a cold one: an unusable basis with restart=cold, or a two-step
+  /// solve whose first step failed.
+  Index restarts = 0;
+  Index frictionless_pivots = 0;  ///< Of the first step of a two-step solve; not in `pivots`.
 
   Work& operator+=(const Work& other);
 };

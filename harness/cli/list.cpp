@@ -77,12 +77,12 @@ void list_families(bool json) {
   if (json) fmt::print("{}\n", Json{{"families", all}}.dump(1));
 }
 
-/// The most recent of `runs` that measured the suite as it is; null when there is none.
+/// The most recent of `runs` that measured the suite as it is, cold; null when there is none.
 const PastRun* last_run_of(const Suite& suite, const std::vector<PastRun>& runs) {
   const Origin whole{suite.name, {}};
   for (const PastRun& run : runs)
     if (run.settings.origin == whole && run.settings.shard == Shard{} &&
-        run.settings.instances == size(suite))
+        run.settings.start == to_string(StartKind::cold) && run.settings.instances == size(suite))
       return &run;
   return nullptr;
 }

@@ -8,6 +8,7 @@
 #include "harness/cli/interrupt.h"
 #include "harness/cli/quantity.h"
 #include "harness/cli/reading.h"
+#include "harness/cli/start.h"
 #include "harness/cli/verbs.h"
 #include "harness/progress.h"
 #include "harness/runs/history.h"
@@ -31,6 +32,7 @@ RunPlan make_plan(const Measurement& measurement, std::vector<NamedSolver> solve
   RunPlan plan;
   plan.timeout = parse_duration(measurement.timeout, "--timeout");
   plan.memory_bytes = parse_bytes(measurement.memory, "--memory");
+  plan.start = start_kind_from_string(measurement.start);
   plan.tolerance = measurement.tolerance;
   plan.jobs = measurement.jobs;
   plan.solvers = std::move(solvers);
@@ -69,9 +71,7 @@ void add_options(CLI::App& page, Measurement& measurement) {
                   "Instances instead of a suite: FILE, FILE#NAME or directory, repeatable")
       ->excludes(suite);
   add_reading_option(page, measurement.reading);
-  page.add_option("--start", measurement.start, "Starting basis")
-      ->check(CLI::IsMember({"cold"}))
-      ->capture_default_str();
+  add_start_option(page, measurement.start);
   page.add_option("--tolerance", measurement.tolerance,
                   "Largest natural residual (scaled) that counts as solved")
       ->check(CLI::PositiveNumber)

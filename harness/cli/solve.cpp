@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "harness/cli/reading.h"
+#include "harness/cli/start.h"
 #include "harness/cli/verbs.h"
 #include "harness/judge.h"
 #include "harness/runs/record.h"
@@ -24,6 +25,7 @@ struct SolveArguments {
   std::string where;
   ReadOptions reading;
   std::vector<std::string> solvers;
+  std::string start = "cold";
   double tolerance = 1e-6;
   bool trace = false;
   bool json = false;
@@ -35,10 +37,11 @@ Json number(double value) {
   return fmt::format("{}", value);
 }
 
-Json to_json(const Instance& instance, const NamedSolver& solver, const Result& result,
-             const Judgement& judgement) {
+Json to_json(const Instance& instance, const NamedSolver& solver, StartKind start,
+             const Result& result, const Judgement& judgement) {
   Json json = {{"instance", instance.name},
                {"solver", solver.spelling},
+               {"start", to_string(start)},
                {"claim", to_string(result.claim)},
                {"message", result.message},
                {"verdict", to_string(judgement.verdict)},
@@ -61,8 +64,8 @@ std::string solution(const VectorXd& z) {
   return positive.empty() ? "z = 0" : fmt::format("{}, others 0", fmt::join(positive, ", "));
 }
 
-void print(const Instance& instance, const NamedSolver& solver, const Result& result,
-           const Judgement& judgement) {
+void print(const Instance& instance, const NamedSolver& solver, StartKind start,
+           const Result& result, const Judgement& judgement) {
   fmt::print("{} (n = {}), {}: {}\n", instance.name, instance.problem.size(), solver.spelling,
              to_string(judgement.verdict));
   if (judgement.verdict == Verdict::wrong) fmt::print("  claimed {}\n", to_string(result.claim));
@@ -72,25 +75,29 @@ void print(const Instance& instance, const NamedSolver& solver, const Result& re
   fmt::print("  residual {:.2e}, backward error {:.2e}; pivots {}, path {}, nodes {}, sweeps {}\n",
              judgement.accuracy.residual, judgement.accuracy.backward_error, result.work.pivots,
              result.work.path, result.work.nodes, result.work.sweeps);
+  if (start == StartKind::two_step)
+    fmt::print("  frictionless pivots {}, start pivots {}, restarts {}\n",
+               result.work.frictionless_pivots, result.work.start_pivots, result.work.restarts);
   fmt::print("  {}\n", solution(result.z));
 }
 
 int solve(const SolveArguments& arguments) {
   const std::vector<NamedSolver> solvers = make_solvers(arguments.solvers);
+  const StartKind start = start_kind_from_string(arguments.start);
   Json all = Json::array();
   for (const Instance& instance : read_instances(arguments.where, arguments.reading)) {
     for (const NamedSolver& solver : solvers) {
       Trace trace(instance.problem);
       Call call;
       if (arguments.trace) call.observer = trace.observer();
-      const Result result = solve_instance(*solver.solver, instance, call);
+      const Result result = solve_instance(*solver.solver, instance, call, start);
       const Judgement judgement = judge(instance, result, arguments.tolerance);
       if (arguments.json) {
-        all.push_back(to_json(instance, solver, result, judgement));
+        all.push_back(to_json(instance, solver, start, result, judgement));
         if (arguments.trace) all.back()["trace"] = trace.json();
         continue;
       }
-      print(instance, solver, result, judgement);
+      print(instance, solver, start, result, judgement);
       if (arguments.trace) fmt::print("{}", trace.text());
     }
   }
@@ -110,6 +117,7 @@ Verb add_solve(CLI::App& program) {
                    "NAME[:key=value,...], pattern or all; repeatable")
       ->allow_extra_args(false)
       ->capture_default_str();
+  add_start_option(*page, arguments->start);
   page->add_option("--tolerance", arguments->tolerance,
                    "Largest natural residual (scaled) that counts as solved")
       ->check(CLI::PositiveNumber)

@@ -6,7 +6,6 @@
 #include <memory>
 #include <stdexcept>
 
-#include "harness/measure/solve.h"
 #include "harness/measure/worker.h"
 #include "harness/observed_quantile.h"
 
@@ -17,7 +16,6 @@ namespace {
 constexpr int tick_ms = 10;  // Between looks at the limits and at `interrupted`.
 constexpr std::size_t fewest_samples = 3;
 constexpr std::int64_t longest_warm_up_ns = 1'000'000'000;
-constexpr const char* cold_start = "cold";
 
 void require(bool holds, const std::string& complaint) {
   if (!holds) throw std::invalid_argument("run: " + complaint);
@@ -39,8 +37,8 @@ void check_plan(const RunPlan& plan) {
   for (const Instance& instance : plan.instances) check(instance.problem, instance.name);
 }
 
-PairKey key_of(const Instance& instance, const NamedSolver& solver) {
-  return {instance.name, instance.sha256, solver.spelling, cold_start};
+PairKey key_of(const RunPlan& plan, const Instance& instance, const NamedSolver& solver) {
+  return {instance.name, instance.sha256, solver.spelling, to_string(plan.start)};
 }
 
 /// The solvers that are to meet on one instance.
@@ -56,7 +54,8 @@ std::vector<Fixture> open_fixtures(const RunPlan& plan) {
   for (std::size_t k = plan.shard.index; k < plan.instances.size(); k += plan.shard.count) {
     Fixture fixture{plan.instances[k], static_cast<Index>(k), {}};
     for (const NamedSolver& solver : plan.solvers)
-      if (!plan.done.contains(key_of(fixture.instance, solver))) fixture.solvers.push_back(&solver);
+      if (!plan.done.contains(key_of(plan, fixture.instance, solver)))
+        fixture.solvers.push_back(&solver);
     if (!fixture.solvers.empty()) fixtures.push_back(std::move(fixture));
   }
   return fixtures;
@@ -78,7 +77,7 @@ Record blank_record(const RunPlan& plan, const Fixture& fixture, const NamedSolv
   Record record;
   record.instance = instance.name;
   record.place = fixture.place;
-  record.start = cold_start;
+  record.start = to_string(plan.start);
   record.corpus = instance.name.substr(0, instance.name.find('/'));
   record.sha256 = instance.sha256;
   record.n = instance.problem.size();
@@ -117,8 +116,8 @@ class Pair {
         blank_(blank_record(plan, fixture, solver)),
         record_(blank_),
         worker_(std::make_unique<Worker>(
-            [&solver, &islands, n = fixture.instance.problem.size()] {
-              return solve_islands(*solver.solver, islands, n);
+            [&solver, &islands, n = fixture.instance.problem.size(), start = plan.start] {
+              return solve_islands(*solver.solver, islands, n, {}, start);
             },
             Limits{plan.timeout, plan.memory_bytes})) {}
 
@@ -272,7 +271,7 @@ std::vector<PairKey> open_pairs(const RunPlan& plan) {
   std::vector<PairKey> pairs;
   for (const Fixture& fixture : open_fixtures(plan))
     for (const NamedSolver* solver : fixture.solvers)
-      pairs.push_back(key_of(fixture.instance, *solver));
+      pairs.push_back(key_of(plan, fixture.instance, *solver));
   return pairs;
 }
 

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "harness/measure/solve.h"
 #include "harness/runs/record.h"
 #include "solvers/registry.h"
 
@@ -24,6 +25,7 @@ struct Shard {
 struct RunPlan {
   std::vector<Instance> instances;
   std::vector<NamedSolver> solvers;
+  StartKind start = StartKind::cold;
   double tolerance = 1e-6;                                      ///< Dimensionless, for the judge.
   std::chrono::nanoseconds timeout = std::chrono::seconds(10);  ///< Of one solve.
   /// Resident memory of a worker above what it held when it was started.
@@ -49,7 +51,7 @@ struct Progress {
 /// Runs every open pair, each in a worker process of its own, and hands over each finished record.
 /// Records of one instance arrive together, in solver order; instances arrive in the order of the
 /// plan with jobs = 1, else in the order of completion. Judging, splitting into islands, checks and
-/// I/O stay outside the clock.
+/// I/O stay outside the clock; both steps of a two-step solve are inside.
 ///
 /// Solvers are interleaved: one repetition of each before the next repetition of any, so that drift
 /// of the machine hits all alike. The first run of a pair decides its verdict. Where that is

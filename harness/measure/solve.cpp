@@ -1,15 +1,24 @@
 #include "harness/measure/solve.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <limits>
 #include <numeric>
+#include <stdexcept>
+
+#include "problems/contact/friction_lcp.h"
+#include "problems/contact/two_step.h"
 
 namespace lcp {
 
 namespace {
+
+/// How one island is solved.
+using SolveIsland = std::function<Result(const Problem&, const Call&)>;
 
 /// Puts `part` into the island's rows of `whole`; a part of another size leaves them NaN.
 void scatter(const VectorXd& part, const std::vector<Index>& rows, VectorXd& whole) {
@@ -54,8 +63,8 @@ Observer observe_within(const Observer& observer, const std::vector<Index>& rows
   };
 }
 
-std::vector<Result> solve_apart(const Solver& solver, const std::vector<Island>& islands, Index n,
-                                const Call& call) {
+std::vector<Result> solve_apart(const SolveIsland& solve, const std::vector<Island>& islands,
+                                Index n, const Call& call) {
   std::vector<int> basic(n);
   std::iota(basic.begin(), basic.end(), 0);
   std::vector<Result> parts;
@@ -63,7 +72,7 @@ std::vector<Result> solve_apart(const Solver& solver, const std::vector<Island>&
     Call within;
     if (call.start) within.start = start_within(*call.start, island.rows);
     if (call.observer) within.observer = observe_within(call.observer, island.rows, n, basic);
-    parts.push_back(solver.solve(island.problem, within));
+    parts.push_back(solve(island.problem, within));
   }
   return parts;
 }
@@ -93,12 +102,11 @@ void join_basis(const std::vector<Result>& parts, const std::vector<Island>& isl
   std::sort(whole.basis->begin(), whole.basis->end());
 }
 
-}  // namespace
-
-Result solve_islands(const Solver& solver, const std::vector<Island>& islands, Index n,
-                     const Call& call) {
-  if (islands.size() == 1) return solver.solve(islands.front().problem, call);
-  const std::vector<Result> parts = solve_apart(solver, islands, n, call);
+/// Solves the islands by `solve` and joins their results.
+Result solve_and_join(const SolveIsland& solve, const std::vector<Island>& islands, Index n,
+                      const Call& call) {
+  if (islands.size() == 1) return solve(islands.front().problem, call);
+  const std::vector<Result> parts = solve_apart(solve, islands, n, call);
 
   Result whole;
   whole.claim = Claim::solved;
@@ -128,8 +136,61 @@ Result solve_islands(const Solver& solver, const std::vector<Island>& islands, I
   return whole;
 }
 
-Result solve_instance(const Solver& solver, const Instance& instance, const Call& call) {
-  return solve_islands(solver, split_islands(instance.problem), instance.problem.size(), call);
+}  // namespace
+
+const std::vector<StartKind>& all_start_kinds() {
+  static const std::vector<StartKind> kinds = {StartKind::cold, StartKind::two_step};
+  return kinds;
+}
+
+std::string to_string(StartKind start) {
+  switch (start) {
+    case StartKind::cold:
+      return "cold";
+    case StartKind::two_step:
+      return "two-step";
+  }
+  return "?";
+}
+
+StartKind start_kind_from_string(const std::string& name) {
+  std::vector<std::string> names;
+  for (const StartKind kind : all_start_kinds()) {
+    names.push_back(to_string(kind));
+    if (names.back() == name) return kind;
+  }
+  throw std::invalid_argument(
+      fmt::format("unknown start '{}', expected one of {}", name, fmt::join(names, ", ")));
+}
+
+Result solve_islands(const Solver& solver, const std::vector<Island>& islands, Index n,
+                     const Call& call, StartKind start) {
+  const SolveIsland solve_from = [&solver](const Problem& problem, const Call& within) {
+    return solver.solve(problem, within);
+  };
+  if (start == StartKind::cold) return solve_and_join(solve_from, islands, n, call);
+
+  if (call.start)
+    throw std::invalid_argument("two-step: a starting basis was given, expected none");
+  const bool any_friction = std::any_of(islands.begin(), islands.end(), [](const Island& island) {
+    return has_friction(island.problem);
+  });
+  if (!any_friction) {  // said once, not of each island
+    Result refusal = solve_two_step(solve_from, islands.front().problem).frictional;
+    refusal.z = VectorXd::Zero(n);
+    return refusal;
+  }
+  const SolveIsland in_two_steps = [&](const Problem& problem, const Call& within) {
+    if (!has_friction(problem)) return solve_from(problem, within);
+    return solve_two_step(solve_from, problem, within.observer).frictional;
+  };
+  return solve_and_join(in_two_steps, islands, n, call);
+}
+
+Result solve_instance(const Solver& solver, const Instance& instance, const Call& call,
+                      StartKind start) {
+  return solve_islands(solver, split_islands(instance.problem), instance.problem.size(), call,
+                       start);
 }
 
 }  // namespace lcp

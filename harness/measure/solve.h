@@ -1,5 +1,6 @@
 #pragma once
 
+#include <string>
 #include <vector>
 
 #include "problems/contact/islands.h"
@@ -7,6 +8,17 @@
 #include "solvers/registry.h"
 
 namespace lcp {
+
+/// The basis from which an instance is solved.
+enum class StartKind {
+  cold,      ///< None.
+  two_step,  ///< That of each island's frictionless LCP (problems/contact/two_step.h).
+};
+
+const std::vector<StartKind>& all_start_kinds();
+std::string to_string(StartKind start);
+/// Throws std::invalid_argument with the list of what is allowed.
+StartKind start_kind_from_string(const std::string& name);
 
 /// Solves the islands (at least one) of a problem of size n apart and joins their results: the claim is that of
 /// the first island that fails, else `solved`; z, w, certificate and basis are put back into the
@@ -16,10 +28,15 @@ namespace lcp {
 ///
 /// `call` is in the problem's rows and numbering, and so is what its observer sees, but node numbers
 /// begin anew in each island.
+///
+/// With StartKind::two_step each island is solved in two steps by itself, but one whose contacts have
+/// no friction, beside others that have some, is its own frictionless LCP and solved once, cold.
+/// Throws std::invalid_argument when `call` holds a start too.
 Result solve_islands(const Solver& solver, const std::vector<Island>& islands, Index n,
-                     const Call& call = {});
+                     const Call& call = {}, StartKind start = StartKind::cold);
 
 /// Splits an instance into its islands and solves them in this process.
-Result solve_instance(const Solver& solver, const Instance& instance, const Call& call = {});
+Result solve_instance(const Solver& solver, const Instance& instance, const Call& call = {},
+                      StartKind start = StartKind::cold);
 
 }  // namespace lcp

@@ -25,6 +25,7 @@ std::string rows_file(const std::string& directory) { return directory + "/rows.
 struct Count {
   const char* name;
   Index Work::*field;
+  bool in_older_rows = true;  ///< Rows written before there was such a count say nothing of it: 0.
 };
 constexpr Count work_counts[] = {{"pivots", &Work::pivots},
                                  {"path", &Work::path},
@@ -35,7 +36,8 @@ constexpr Count work_counts[] = {{"pivots", &Work::pivots},
                                  {"factorisations", &Work::factorisations},
                                  {"sweeps", &Work::sweeps},
                                  {"start_pivots", &Work::start_pivots},
-                                 {"restarts", &Work::restarts}};
+                                 {"restarts", &Work::restarts},
+                                 {"frictionless_pivots", &Work::frictionless_pivots, false}};
 
 struct Figure {
   const char* name;
@@ -126,7 +128,10 @@ void to_json(json& object, const Work& work) {
 }
 
 void from_json(const json& object, Work& work) {
-  for (const Count& count : work_counts) get(object, count.name, work.*count.field);
+  work = Work{};
+  for (const Count& count : work_counts)
+    if (count.in_older_rows || object.contains(count.name))
+      get(object, count.name, work.*count.field);
 }
 
 void to_json(json& object, const Record& record) {

@@ -37,6 +37,7 @@ RunSettings settings_of(const RunPlan& plan, const Origin& origin) {
   settings.origin = origin;
   settings.instances = static_cast<Index>(plan.instances.size());
   settings.shard = plan.shard;
+  settings.start = to_string(plan.start);
   settings.tolerance = plan.tolerance;
   settings.timeout_s = std::chrono::duration<double>(plan.timeout).count();
   settings.memory_bytes = plan.memory_bytes;

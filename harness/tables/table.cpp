@@ -1,6 +1,7 @@
 #include "harness/tables/table.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <set>
@@ -173,6 +174,7 @@ Table make_table(const std::vector<Record>& records, std::optional<double> toler
   Table table;
   if (!records.empty()) table.tolerance = tolerance.value_or(records.front().tolerance);
   std::vector<std::string> corpora;
+  std::set<std::string> starts;
   std::map<std::string, std::vector<Gathering>> by_corpus;
   const std::map<std::string, std::string> names = labels(records);
   for (const Record& record : records) {
@@ -181,6 +183,7 @@ Table make_table(const std::vector<Record>& records, std::optional<double> toler
           fmt::format("rows were judged at {} and at {}: a tolerance is needed to compare them",
                       table.tolerance, record.tolerance));
     table.jobs = std::max(table.jobs, record.jobs);
+    starts.insert(record.start);
     if (by_corpus.count(record.corpus) == 0) corpora.push_back(record.corpus);
     std::vector<Gathering>& rows = by_corpus[record.corpus];
     auto place = std::find_if(rows.begin(), rows.end(), [&](const Gathering& gathering) {
@@ -194,6 +197,7 @@ Table make_table(const std::vector<Record>& records, std::optional<double> toler
     }
     place->add(record, judged(record, tolerance));
   }
+  table.start = fmt::format("{}", fmt::join(starts, ", "));
   for (const std::string& corpus : corpora)
     for (Gathering& gathering : by_corpus[corpus]) table.rows.push_back(gathering.finish());
   return table;

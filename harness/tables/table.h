@@ -44,6 +44,7 @@ struct TableRow {
 struct Table {
   std::vector<TableRow> rows;  ///< By corpus, then by solver, each in order of first appearance.
   double tolerance = 0;        ///< At which `solved` was judged, dimensionless.
+  std::string start;           ///< Of the rows; where they differ, all kinds, joined by ", ".
   int jobs = 1;                ///< Most pairs that ran at the same time: it disturbs times.
 };
 

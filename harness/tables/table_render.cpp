@@ -157,6 +157,8 @@ std::string text(const Table& table) {
   for (const Quantity& quantity : shown)
     out += fmt::format("  {:<7} {}\n", quantity.heading, quantity.meaning);
   out += fmt::format("Solved means a natural residual of at most {}.", table.tolerance);
+  if (table.start != "cold")
+    out += fmt::format(" Start: {}; pivots before it are not counted.", table.start);
   if (table.jobs > 1)
     out += fmt::format(" {} jobs ran at the same time: times are disturbed.", table.jobs);
   return out + "\n";

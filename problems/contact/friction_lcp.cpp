@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <numeric>
 #include <stdexcept>
 
 namespace lcp {
@@ -108,6 +110,29 @@ Problem frictionless_lcp(const ContactProblem& problem) {
   ContactProblem smooth = problem;
   for (Contact& contact : smooth.contacts) contact.mu = 0;
   return friction_lcp(smooth);
+}
+
+bool has_friction(const Problem& problem) {
+  return problem.friction && (problem.friction->mu.array() > 0).any();
+}
+
+Problem frictionless_part(const Problem& problem) {
+  if (!problem.friction)
+    throw std::invalid_argument("frictionless part: the problem has no friction blocks");
+  const std::vector<Index>& rows = problem.friction->normal_row;
+  Problem part;
+  part.M = problem.M(rows, rows);
+  part.q = problem.q(rows);
+  part.s_z = problem.s_z(rows);
+  part.s_w = problem.s_w(rows);
+  if (problem.c.size() > 0) part.c = problem.c(rows);
+  part.pivot_limit = problem.pivot_limit;
+  FrictionBlocks& blocks = part.friction.emplace(*problem.friction);
+  blocks.mu.setZero();
+  std::iota(blocks.normal_row.begin(), blocks.normal_row.end(), Index{0});
+  std::fill(blocks.friction_row.begin(), blocks.friction_row.end(), Index{-1});
+  blocks.cone_row = blocks.friction_row;
+  return part;
 }
 
 VectorXd contact_forces(const FrictionBlocks& blocks, const VectorXd& z) {

@@ -25,6 +25,17 @@ Problem friction_lcp(const ContactProblem& problem, const FrictionModel& model =
 /// n = Nc, with the scales and blocks of friction_lcp at mu = 0.
 Problem frictionless_lcp(const ContactProblem& problem);
 
+/// True where some contact has mu_i > 0.
+bool has_friction(const Problem& problem);
+
+/// The frictionless LCP of the contacts behind a friction LCP: rows and columns normal_row of M and
+/// q (also of the scales and a covering vector), in the order of the contacts, and its blocks at
+/// mu = 0. Of friction_lcp(contacts) it is frictionless_lcp(contacts), bit for bit, with the
+/// directions and pivot limit of `problem`. An island keeps the scales of its whole.
+///
+/// Throws std::invalid_argument if `problem` has no friction blocks.
+Problem frictionless_part(const Problem& problem);
+
 /// Contact forces f = N a + C b (20) in contact axes, 3 Nc, N, from the z (n) of the LCP to which
 /// `blocks` belong. Throws std::invalid_argument if z is too short for the blocks' rows.
 VectorXd contact_forces(const FrictionBlocks& blocks, const VectorXd& z);

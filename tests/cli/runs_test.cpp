@@ -77,6 +77,31 @@ TEST_F(Runs, ResumeRefusesAnotherQuestion) {
   EXPECT_EQ(rows("r"), 4);
 }
 
+TEST_F(Runs, StartTwoStepIsInRowsSettingsAndTableAndPartOfTheQuestion) {
+  ASSERT_EQ(run({"generate", "squat-like", "--count", "2", "--out", "p.hdf5"}).status, 0);
+  const Ran ran = measure("r", {"--start", "two-step"});
+  ASSERT_EQ(ran.status, 0) << ran.err;
+  EXPECT_NE(ran.out.find("Start: two-step; pivots before it are not counted."), std::string::npos);
+  EXPECT_EQ(Json::parse(read_text(file("r/run.json"))).at("start"), "two-step");
+  doctor("r", [](Json& row) { EXPECT_EQ(row.at("start"), "two-step"); });
+  EXPECT_EQ(measure("r", {"--start", "two-step", "--resume"}).status, 0);
+  expect_complaint(measure("r", {"--resume"}), 2, "start two-step, cold; name a new directory");
+  expect_complaint(measure("s", {"--start", "warm"}), 2, "two-step");
+
+  const auto solved = [&](const std::string& start) {
+    const Ran answer = run(
+        {"solve", "p.hdf5#squat-like/0001", "--solver", "best-first", "--start", start, "--json"});
+    return Json::parse(answer.out).at("results")[0];
+  };
+  const Json two_step = solved("two-step"), cold = solved("cold");
+  EXPECT_EQ(two_step.at("start"), "two-step");
+  EXPECT_EQ(two_step.at("verdict"), "solved");
+  EXPECT_GT(two_step.at("work").at("start_pivots"), 0);
+  EXPECT_GT(two_step.at("work").at("frictionless_pivots"), 0);
+  EXPECT_EQ(cold.at("start"), "cold");
+  EXPECT_EQ(cold.at("work").at("frictionless_pivots"), 0);
+}
+
 TEST_F(Runs, ADryRunTellsWhatIsLeftAndHowLongItTakes) {
   const Ran before = measure("runs/r", {"--dry-run"});
   EXPECT_NE(before.err.find("4 that no run below runs/ has measured: at most 40 s"),

@@ -11,6 +11,7 @@
 #include <map>
 #include <stdexcept>
 
+#include "problems/registry.h"
 #include "tests/harness/temporary_directory.h"
 
 namespace lcp {
@@ -257,6 +258,39 @@ TEST(Run, InterruptedKeepsWhatIsFinishedAndLeavesNoChild) {
       plan, [&](const Record& record) { solvers.push_back(record.solver); },
       [&](const Progress& progress) { interrupted = progress.done == 2; }, interrupted);
   EXPECT_EQ(solvers.size(), 2u) << "of two instances, the third was not begun";
+}
+
+TEST(Run, InTwoStepsJudgesTheFrictionalLcpAndSaysSoInEveryRow) {
+  RunPlan plan = plan_of({"best-first", "projected-gauss-seidel"});
+  plan.instances = generate("squat-like", {.count = 4});
+  plan.instances.push_back(identity_instance("identity/0"));
+  plan.start = StartKind::two_step;
+  const std::vector<Record> records = records_of(plan);
+  ASSERT_EQ(records.size(), 10u);
+  for (const Record& record : records) {
+    EXPECT_EQ(record.start, "two-step");
+    if (record.contacts == 0) {
+      EXPECT_EQ(record.verdict, Verdict::unsupported);
+      EXPECT_EQ(record.message, "two-step: the instance has no friction");
+    } else if (record.row == "best-first") {
+      EXPECT_EQ(record.verdict, Verdict::solved) << record.message;
+      EXPECT_LT(record.accuracy.value().residual, 1e-9);
+      EXPECT_EQ(record.work.start_pivots, record.active_contacts);
+      EXPECT_GT(record.work.frictionless_pivots, 0);
+      EXPECT_EQ(record.times_ns.size(), 3u) << "equal bits in every repetition";
+    } else {
+      EXPECT_EQ(record.verdict, Verdict::unsupported);
+      EXPECT_EQ(record.message, "two-step: the solver returns no basis to start from");
+    }
+  }
+}
+
+TEST(Run, APairDoneColdIsNotDoneInTwoSteps) {
+  RunPlan plan = plan_of({"lemke"});
+  plan.done = {{"identity/0", plan.instances[0].sha256, "lemke", "cold"}};
+  EXPECT_TRUE(open_pairs(plan).empty());
+  plan.start = StartKind::two_step;
+  EXPECT_EQ(open_pairs(plan).at(0).start, "two-step");
 }
 
 TEST(Run, LeavesOutOtherShardsAndPairsThatAreDone) {

@@ -4,6 +4,10 @@
 
 #include <cmath>
 #include <functional>
+#include <stdexcept>
+
+#include "harness/judge.h"
+#include "problems/contact/friction_lcp.h"
 
 namespace lcp {
 namespace {
@@ -175,6 +179,79 @@ TEST(SolveIslands, ShowsPivotsInTheNumbersOfTheWhole) {
   EXPECT_EQ(events[1].row, 1);
   EXPECT_EQ(events[1].entering, 4) << "z_1";
   EXPECT_EQ(basics[1], (std::vector<int>{0, 4, 6}));
+}
+
+/// Two particles that do not influence one another, W = I: each an island. n = mu_i > 0 ? 4 : 1.
+Instance two_particles(const VectorXd& mu) {
+  ContactProblem contacts;
+  for (Index i = 0; i < 2; ++i)
+    contacts.contacts.push_back(
+        make_contact(Eigen::Vector3d::UnitZ(), Eigen::Vector3d::UnitX(), mu(i), {i + 1, 0, 0}));
+  contacts.W = MatrixXd::Identity(6, 6);
+  contacts.vbar = vec({-1, 0.5, 0, -1, 0.5, 0});
+  Instance instance;
+  instance.problem = friction_lcp(contacts, {.directions = 2});
+  return instance;
+}
+
+/// Notes size and start (or -1) of every solve: what is asked of it in which order.
+class Noting final : public Solver {
+ public:
+  Result solve(const Problem& problem, const Call& call) const override {
+    asked.push_back({problem.size(), call.start ? Index(call.start->alpha.size()) : -1});
+    return solver_.solver->solve(problem, call);
+  }
+  OptionTable options() override { return {}; }
+
+  mutable std::vector<std::pair<Index, Index>> asked;
+
+ private:
+  NamedSolver solver_ = make_solver("best-first");
+};
+
+TEST(SolveInTwoSteps, SolvesEachIslandInTwoStepsByItself) {
+  const Instance instance = two_particles(vec({0.2, 0.3}));
+  const Noting solver;
+  const Result whole = solve_instance(solver, instance, {}, StartKind::two_step);
+  EXPECT_EQ(solver.asked, (std::vector<std::pair<Index, Index>>{{1, -1}, {4, 1}, {1, -1}, {4, 1}}));
+  EXPECT_EQ(whole.claim, Claim::solved);
+  EXPECT_EQ(whole.work.start_pivots, 2);
+  EXPECT_EQ(whole.work.frictionless_pivots, 4) << "z0 in, z0 out, twice";
+  EXPECT_EQ(judge(instance, whole, 1e-12).verdict, Verdict::solved);
+}
+
+TEST(SolveInTwoSteps, AnIslandWithoutFrictionBesideOthersIsSolvedOnce) {
+  const Instance instance = two_particles(vec({0, 0.3}));
+  const Noting solver;
+  const Result whole = solve_instance(solver, instance, {}, StartKind::two_step);
+  EXPECT_EQ(solver.asked, (std::vector<std::pair<Index, Index>>{{1, -1}, {1, -1}, {4, 1}}));
+  EXPECT_EQ(judge(instance, whole, 1e-12).verdict, Verdict::solved);
+}
+
+TEST(SolveInTwoSteps, AnInstanceWithoutFrictionIsUnsupported) {
+  Instance plain;
+  plain.problem = problem_of_size(3);
+  for (const Instance& instance : {two_particles(vec({0, 0})), plain}) {
+    const Noting solver;
+    const Result whole = solve_instance(solver, instance, {}, StartKind::two_step);
+    EXPECT_TRUE(solver.asked.empty());
+    EXPECT_EQ(judge(instance, whole, 1e-6).verdict, Verdict::unsupported);
+    EXPECT_EQ(whole.message, "two-step: the instance has no friction");
+    EXPECT_EQ(whole.z.size(), instance.problem.size());
+  }
+}
+
+TEST(SolveInTwoSteps, RefusesAnotherStartBeside) {
+  EXPECT_THROW(solve_instance(Noting(), two_particles(vec({0.2, 0.3})),
+                              {.start = Start{{0}}, .observer = {}}, StartKind::two_step),
+               std::invalid_argument);
+}
+
+TEST(StartKind, IsSpelledAsOnTheCommandLine) {
+  for (const StartKind kind : all_start_kinds())
+    EXPECT_EQ(start_kind_from_string(to_string(kind)), kind);
+  EXPECT_EQ(to_string(StartKind::two_step), "two-step");
+  EXPECT_THROW(start_kind_from_string("warm"), std::invalid_argument);
 }
 
 /// Two contacts without friction on bodies that do not influence one another.

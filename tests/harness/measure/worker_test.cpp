@@ -47,6 +47,7 @@ Result full_result() {
   result.certificate = VectorXd::Constant(3, std::numeric_limits<double>::denorm_min());
   result.work.pivots = 12;
   result.work.restarts = 1;
+  result.work.frictionless_pivots = 7;
   return result;
 }
 
@@ -63,6 +64,7 @@ TEST(Wire, KeepsEveryField) {
   EXPECT_EQ(back.certificate, result.certificate);
   EXPECT_EQ(back.work.pivots, 12);
   EXPECT_EQ(back.work.restarts, 1);
+  EXPECT_EQ(back.work.frictionless_pivots, 7);
   EXPECT_EQ(decode(encode(Result{})).basis, std::nullopt);
 }
 

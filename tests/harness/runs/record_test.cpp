@@ -55,7 +55,8 @@ Record example() {
                  .factorisations = 7,
                  .sweeps = 8,
                  .start_pivots = 9,
-                 .restarts = 10};
+                 .restarts = 10,
+                 .frictionless_pivots = 11};
   record.times_ns = {300, 100, 200};
   record.exit_signal = 6;
   record.stderr_end = "last \"words\"\n";
@@ -94,11 +95,20 @@ TEST(Record, ComesBackFromJsonWithEveryField) {
   EXPECT_EQ(back.work.sweeps, 8);
   EXPECT_EQ(back.work.start_pivots, 9);
   EXPECT_EQ(back.work.restarts, 10);
+  EXPECT_EQ(back.work.frictionless_pivots, 11);
   EXPECT_EQ(back.times_ns, record.times_ns);
   EXPECT_EQ(back.exit_signal, 6);
   EXPECT_EQ(back.stderr_end, record.stderr_end);
   EXPECT_EQ(back.jobs, 2);
   EXPECT_EQ(back.environment, record.environment);
+}
+
+TEST(Record, OfAnOlderProgramHasNoFrictionlessPivots) {
+  json older = example();
+  older["work"].erase("frictionless_pivots");
+  EXPECT_EQ(older.get<Record>().work.frictionless_pivots, 0);
+  older["work"].erase("restarts");
+  EXPECT_THROW(older.get<Record>(), std::invalid_argument);
 }
 
 TEST(Record, KeepsEveryBitOfItsFiguresAndTheNonFiniteOnes) {

@@ -90,12 +90,29 @@ TEST_F(RunDirectory, IsNotResumedAsSomethingElse) {
   plan.tolerance = 1e-9;
   expect_refused(plan, "tolerance 1e-06, 1e-09");
   plan = small_plan();
+  plan.start = StartKind::two_step;
+  expect_refused(plan, "start cold, two-step");
+  plan = small_plan();
   plan.shard = {1, 2};
   expect_refused(plan, "holds shard 1/1, this is 2/2");
   json environment = json::parse(read_text(at("r/env.json")));
   environment["commit"] = "0123456";
   write_text(at("r/env.json"), environment.dump());
   expect_refused(small_plan(), "was begun by commit 0123456");
+}
+
+TEST_F(RunDirectory, InTwoStepsIsResumedAsSuchAndHoldsTheSameRows) {
+  RunPlan plan = small_plan();
+  plan.instances = generate("squat-like", {.count = 2});
+  plan.start = StartKind::two_step;
+  run_small(at("whole"), plan);
+  run_small(at("r"), plan, Existing::refuse, 2);
+  const RunReport last = run_small(at("r"), plan, Existing::resume);
+  EXPECT_EQ(last.rows_before + last.rows, 6u);
+  EXPECT_EQ(deterministic_rows(at("r")), deterministic_rows(at("whole")));
+  EXPECT_EQ(read_run_header(at("r")).settings.start, "two-step");
+  plan.start = StartKind::cold;
+  expect_refused(plan, "start two-step, cold");
 }
 
 TEST_F(RunDirectory, InAnotherEnvironmentItKeepsBoth) {

@@ -33,6 +33,13 @@ TEST(RunSettings, ComeBackFromJsonAsTheyWere) {
   EXPECT_EQ(json(settings).get<RunSettings>().shard, (Shard{1, 4}));
 }
 
+TEST(RunSettings, TakeTheStartFromThePlan) {
+  RunPlan plan;
+  EXPECT_EQ(settings_of(plan, {}).start, "cold");
+  plan.start = StartKind::two_step;
+  EXPECT_EQ(settings_of(plan, {}).start, "two-step");
+}
+
 TEST(RunSettings, AMissingFieldOrAnotherSchemaIsNamed) {
   const json whole = example();
   for (const auto& [field, value] : whole.items()) {

@@ -95,6 +95,16 @@ TEST(Table, TakesMeansOfWorkOverRunsThatReturned) {
   EXPECT_DOUBLE_EQ(row.nodes.value(), 5);
 }
 
+TEST(Table, SaysHowItsSolvesStartedUnlessCold) {
+  Record record = solved("c/0", "a", 0);
+  EXPECT_EQ(render(make_table({record}), TableFormat::text).find("Start"), std::string::npos);
+  record.start = "two-step";
+  EXPECT_NE(render(make_table({record}), TableFormat::text)
+                .find("Start: two-step; pivots before it are not counted."),
+            std::string::npos);
+  EXPECT_EQ(make_table({record, solved("c/0", "a", 0)}).start, "cold, two-step");
+}
+
 TEST(Table, AveragesContactsOverInstancesWithContact) {
   std::vector<Record> records = {solved("c/0", "a", 0), solved("c/1", "a", 0),
                                  solved("c/2", "a", 0)};

@@ -128,6 +128,64 @@ TEST(FrictionLcp, WithoutFrictionIsTheNormalBlock) {
   EXPECT_EQ(contact_forces(*problem.friction, VectorXd{{2, 3}}), (VectorXd{{2, 0, 0, 3, 0, 0}}));
 }
 
+void expect_same_blocks(const FrictionBlocks& got, const FrictionBlocks& want) {
+  EXPECT_EQ(got.W, want.W);
+  EXPECT_EQ(got.vbar, want.vbar);
+  EXPECT_EQ(got.mu, want.mu);
+  EXPECT_EQ(got.directions, want.directions);
+  EXPECT_EQ(got.directions_per_contact, want.directions_per_contact);
+  EXPECT_EQ(got.normal_row, want.normal_row);
+  EXPECT_EQ(got.friction_row, want.friction_row);
+  EXPECT_EQ(got.cone_row, want.cone_row);
+}
+
+TEST(FrictionlessPart, IsTheFrictionlessLcpOfTheSameContactsBitForBit) {
+  for (const std::vector<double>& mu :
+       {std::vector<double>{0.3, 0.5, 0.8}, {0, 0.5, 0}, {0, 0}, {}}) {
+    cases::Uniform uniform(8);
+    const ContactProblem contacts = cases::random_contacts(mu, 1e6, uniform);
+    const Problem part = frictionless_part(friction_lcp(contacts));
+    const Problem expected = frictionless_lcp(contacts);
+    EXPECT_EQ(part.M, expected.M);
+    EXPECT_EQ(part.q, expected.q);
+    EXPECT_EQ(part.s_z, expected.s_z);
+    EXPECT_EQ(part.s_w, expected.s_w);
+    EXPECT_EQ(part.c.size(), 0);
+    EXPECT_EQ(part.pivot_limit, expected.pivot_limit);
+    expect_same_blocks(*part.friction, *expected.friction);
+  }
+}
+
+TEST(FrictionlessPart, FollowsTheContactsWhereverTheirRowsStandAndKeepsScales) {
+  cases::Uniform uniform(9);
+  Problem problem = friction_lcp(cases::random_contacts({0.3, 0}, 10, uniform), {.directions = 2});
+  problem.s_z = VectorXd::LinSpaced(5, 1, 5);
+  problem.s_w = VectorXd::LinSpaced(5, 6, 10);
+  problem.c = VectorXd::LinSpaced(5, 11, 15);
+  problem.pivot_limit = 77;
+  // Rows in reverse: contact 0 has normal row 4, contact 1 row 3.
+  const std::vector<Index> reversed = {4, 3, 2, 1, 0};
+  problem.M = MatrixXd(problem.M(reversed, reversed));
+  problem.q = VectorXd(problem.q(reversed));
+  problem.friction->normal_row = {4, 3};
+  const Problem part = frictionless_part(problem);
+  EXPECT_EQ(part.M(0, 1), problem.M(4, 3));
+  EXPECT_EQ(part.q, (VectorXd{{problem.q(4), problem.q(3)}}));
+  EXPECT_EQ(part.s_z, (VectorXd{{5, 4}}));
+  EXPECT_EQ(part.s_w, (VectorXd{{10, 9}}));
+  EXPECT_EQ(part.c, (VectorXd{{15, 14}}));
+  EXPECT_EQ(part.pivot_limit, 77);
+  EXPECT_EQ(part.friction->normal_row, (std::vector<Index>{0, 1}));
+}
+
+TEST(FrictionlessPart, NeedsFrictionBlocks) {
+  Problem plain;
+  EXPECT_THROW(frictionless_part(plain), std::invalid_argument);
+  EXPECT_FALSE(has_friction(plain));
+  EXPECT_FALSE(has_friction(frictionless_lcp(cases::particle(0.5, {-1, 0, 0}))));
+  EXPECT_TRUE(has_friction(friction_lcp(cases::particle(0.5, {-1, 0, 0}))));
+}
+
 TEST(FrictionLcp, MapsForcesBackAsNormalAndCombinedDirections) {
   cases::Uniform uniform(7);
   const Problem problem = friction_lcp(cases::random_contacts({0, 0.5}, 10, uniform));

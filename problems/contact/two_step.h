@@ -1,0 +1,30 @@
+#pragma once
+
+#include <functional>
+
+#include "solvers/result.h"
+
+namespace lcp {
+
+/// What the two steps of IV-C returned.
+struct TwoStep {
+  Result frictionless;
+  Result frictional;  ///< The answer; its work holds the pivots of the first step apart.
+};
+
+/// Two-step solve of a friction LCP (25): first the frictionless LCP of the same contacts
+/// (frictionless_part), then the whole from the basis alpha = {row of a_i : a_i basic there}, both by
+/// `solve`, which is Solver::solve or does the same. `observer` sees the pivots of the second step.
+///
+/// Where the first step is not claimed solved, the second starts from the empty basis, that is cold:
+/// it counts one restart more, and its message begins with `frictionless LCP: CLAIM; started cold`.
+/// A start that the solver cannot use, or a refusal of any start, stays its own claim. Where there is nothing to start from, the
+/// answer is z = 0 with the claim `unsupported`: no contact has friction, or the solver solves the
+/// first step and returns no basis, as iterative methods do.
+///
+/// work.frictionless_pivots are the pivots of the first step; no other work of it is counted.
+/// Source: Yamane and Nakamura 2008, IV-C.
+TwoStep solve_two_step(const std::function<Result(const Problem&, const Call&)>& solve,
+                       const Problem& problem, const Observer& observer = {});
+
+}  // namespace lcp
