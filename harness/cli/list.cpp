@@ -8,6 +8,7 @@
 #include "harness/cli/verbs.h"
 #include "harness/runs/history.h"
 #include "harness/suites.h"
+#include "problems/scenes/scene.h"
 #include "solvers/registry.h"
 
 namespace lcp::cli {
@@ -77,6 +78,24 @@ void list_families(bool json) {
   if (json) fmt::print("{}\n", Json{{"families", all}}.dump(1));
 }
 
+void list_scenes(bool json) {
+  Json all = Json::array();
+  for (const SceneRow& row : scenes()) {
+    const std::unique_ptr<Scene> scene = row.make();
+    if (json) {
+      all.push_back({{"name", row.info.name},
+                     {"summary", row.info.summary},
+                     {"source", row.info.source},
+                     {"options", to_json(scene->options())}});
+      continue;
+    }
+    fmt::print("{}\n    {}\n    Source: {}\n", row.info.name, row.info.summary, row.info.source);
+    print(scene->options());
+    fmt::print("\n");
+  }
+  if (json) fmt::print("{}\n", Json{{"scenes", all}}.dump(1));
+}
+
 /// The most recent of `runs` that measured the suite as it is, cold; null when there is none.
 const PastRun* last_run_of(const Suite& suite, const std::vector<PastRun>& runs) {
   const Origin whole{suite.name, {}};
@@ -126,6 +145,7 @@ struct ListArguments {
 int list(const ListArguments& arguments) {
   if (arguments.what == "solvers") list_solvers(arguments.json);
   if (arguments.what == "families") list_families(arguments.json);
+  if (arguments.what == "scenes") list_scenes(arguments.json);
   if (arguments.what == "suites") list_suites(arguments.json);
   return done;
 }
@@ -135,9 +155,9 @@ int list(const ListArguments& arguments) {
 Verb add_list(CLI::App& program) {
   CLI::App* page = program.add_subcommand("list", "Print what there is, with options and sources");
   auto arguments = std::make_shared<ListArguments>();
-  page->add_option("WHAT", arguments->what, "solvers, families or suites")
+  page->add_option("WHAT", arguments->what, "solvers, families, scenes or suites")
       ->required()
-      ->check(CLI::IsMember({"solvers", "families", "suites"}));
+      ->check(CLI::IsMember({"solvers", "families", "scenes", "suites"}));
   page->add_flag("--json", arguments->json, "As JSON");
   page->footer("Example:\n  lcpbench list solvers");
   return {page, [arguments] { return list(*arguments); }};

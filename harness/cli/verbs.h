@@ -31,6 +31,7 @@ Verb add_info(CLI::App& program);
 Verb add_list(CLI::App& program);
 Verb add_merge(CLI::App& program);
 Verb add_run(CLI::App& program);
+Verb add_simulate(CLI::App& program);
 Verb add_solve(CLI::App& program);
 Verb add_sweep(CLI::App& program);
 Verb add_table(CLI::App& program);

@@ -106,7 +106,7 @@ void Simulation::solve(Frame& frame, const ContactSolver& solver) {
                                        : contact_problem(frame.links, dynamics_.handle_dynamics(),
                                                          stepping_.dt, stepping_.correction);
   if (!frame.contacts.W.allFinite() || !frame.contacts.vbar.allFinite())
-    throw std::runtime_error(fmt::format(
+    throw SimulationBroke(fmt::format(
         "simulation: at {} s the bodies no longer move at finite speed", frame.state.time));
   frame.solution = solve_contacts(frame.contacts, stepping_.contact, solver);
   frame.link_forces = frame.links.J.transpose() * frame.solution.forces;  // (12)

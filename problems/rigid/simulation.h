@@ -1,6 +1,7 @@
 #pragma once
 
 #include <functional>
+#include <stdexcept>
 
 #include "problems/contact/contact_solution.h"
 #include "problems/rigid/contact_dynamics.h"
@@ -54,6 +55,11 @@ struct Frame {
   Vector3d force(Index i) const;
 };
 
+/// Bodies no longer move at finite speed, as under the forces of a solver that is wrong.
+struct SimulationBroke : std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
+
 /// Steps a system through time, with a solver in the loop. Deterministic.
 class Simulation {
  public:
@@ -67,7 +73,7 @@ class Simulation {
   /// Detects and solves the contacts, hands the frame to `look` and moves the bodies by dt: contact
   /// forces act through the whole step as they are at its beginning (forces of world axes at points
   /// fixed in the world). A contact problem that does not consist of finite numbers is not solved:
-  /// throws std::runtime_error naming the time.
+  /// throws SimulationBroke naming the time.
   void step(const ContactSolver& solver, const std::function<void(const Frame&)>& look = {});
 
   /// The contact problem of a frame from the composite body's inertia. Throws std::invalid_argument

@@ -1,0 +1,110 @@
+#include <fmt/format.h>
+
+#include <memory>
+#include <optional>
+
+#include "harness/cli/interrupt.h"
+#include "harness/cli/quantity.h"
+#include "harness/cli/verbs.h"
+#include "harness/loop/summary.h"
+#include "harness/progress.h"
+#include "problems/io/replace_file.h"
+#include "problems/scenes/dump.h"
+
+namespace lcp::cli {
+
+namespace {
+
+struct SimulateArguments {
+  std::string scene;
+  std::string solver = "best-first";
+  std::string duration, dt;
+  std::string criterion = "residual";
+  std::optional<double> tolerance;
+  std::string dump, log;
+  bool json = false;
+};
+
+double seconds(const std::string& text, const char* option) {
+  return std::chrono::duration<double>(parse_duration(text, option)).count();
+}
+
+Acceptance acceptance_of(const SimulateArguments& arguments) {
+  Acceptance acceptance;
+  if (arguments.criterion == "paper") acceptance = {Acceptance::Criterion::paper, 1e-3};
+  if (arguments.tolerance) acceptance.tolerance = *arguments.tolerance;
+  return acceptance;
+}
+
+int simulate(const SimulateArguments& arguments) {
+  NamedScene scene = make_scene(arguments.scene);
+  if (!arguments.duration.empty()) scene.setup.duration = seconds(arguments.duration, "--duration");
+  if (!arguments.dt.empty()) scene.setup.stepping.dt = seconds(arguments.dt, "--dt");
+  const NamedSolver solver = make_solver(arguments.solver);
+  std::optional<CorpusDump> dump;
+  if (!arguments.dump.empty()) dump.emplace(arguments.dump, scene.spelling, solver.spelling);
+
+  const std::atomic<bool>& interrupted = catch_interruptions();
+  const std::size_t steps =
+      static_cast<std::size_t>(std::lround(scene.setup.duration / scene.setup.stepping.dt));
+  LoopRun run;
+  {
+    ProgressBar bar;
+    run = run_in_the_loop(
+        scene, solver, acceptance_of(arguments),
+        [&](const Simulation& simulation, const Frame& frame, const FrameRecord& record) {
+          if (dump) dump->add(simulation, frame);
+          bar.update({static_cast<std::size_t>(record.frame), steps, scene.spelling});
+        },
+        interrupted);
+  }
+  if (dump) dump->close();
+  if (!arguments.log.empty()) replace_file(arguments.log, frames_csv(run));
+
+  const LoopSummary summary =
+      summarise(run, scene.setup.system.model.mass(), scene.setup.system.gravity);
+  if (arguments.json)
+    fmt::print("{}\n", nlohmann::json(summary).dump(1));
+  else
+    fmt::print("{}", render(summary));
+  if (dump) fmt::print(stderr, "{} instances are in {}\n", dump->instances(), arguments.dump);
+  return interrupted ? interrupted_by_user : done;
+}
+
+}  // namespace
+
+Verb add_simulate(CLI::App& program) {
+  CLI::App* page = program.add_subcommand(
+      "simulate", "Simulate a scene with a solver in the loop; dump its LCPs");
+  auto arguments = std::make_shared<SimulateArguments>();
+  page->add_option("SCENE", arguments->scene, "NAME[:key=value,...] (see: lcpbench list scenes)")
+      ->required();
+  page->add_option("--solver", arguments->solver, "NAME[:key=value,...] that finds the forces")
+      ->capture_default_str();
+  page->add_option("--duration", arguments->duration,
+                   "Simulated time, number with ms, s or min. Default: the scene's");
+  page->add_option("--dt", arguments->dt, "Time step, likewise. Default: the scene's");
+  page->add_option("--criterion", arguments->criterion,
+                   "When an answer may act: residual (the judge's natural residual, scaled) or "
+                   "paper (|w - M z - q - z0 c| of the solver's own w, unscaled)")
+      ->check(CLI::IsMember({"residual", "paper"}))
+      ->capture_default_str();
+  page->add_option("--tolerance", arguments->tolerance,
+                   "Of the criterion. Default: 1e-6 for residual, 1e-3 for paper")
+      ->check(CLI::PositiveNumber);
+  page->add_option("--dump", arguments->dump,
+                   "New directory for the LCPs of every frame, a corpus of HDF5 files");
+  page->add_option("--log", arguments->log, "File for a line of CSV per frame");
+  page->add_flag("--json", arguments->json, "Print the summary as JSON");
+  page->footer(
+      "Where the frictional LCP fails the frictionless answer acts, and where both fail none "
+      "does.\n"
+      "Examples:\n"
+      "  lcpbench simulate squat\n"
+      "  lcpbench simulate squat:reduction=paper --solver lexicographic:delta=1e-8 --criterion "
+      "paper\n"
+      "  lcpbench simulate tap-dance --dump runs/tap --log runs/tap.csv");
+  return {page, [arguments] { return simulate(*arguments); }};
+}
+
+}  // namespace lcp::cli

@@ -1,0 +1,170 @@
+#include "harness/loop/in_the_loop.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <numbers>
+
+namespace lcp {
+
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+/// Of s_w: how fast a contact may close under the forces that act before it counts as violated.
+constexpr double kViolation = 1e-6;
+
+std::int64_t since(Clock::time_point begin) {
+  return std::chrono::duration_cast<std::chrono::nanoseconds>(Clock::now() - begin).count();
+}
+
+/// Judges by the loop's criterion. A claim other than solved stays what it is.
+Judgement judge_by(const Acceptance& acceptance, const Problem& problem, const Result& result) {
+  const Instance instance{.name = "frame",
+                          .problem = problem,
+                          .provenance = {},
+                          .known_solution = {},
+                          .active_contacts = {},
+                          .sha256 = {}};
+  Judgement judgement = judge(instance, result, acceptance.tolerance);
+  if (acceptance.criterion == Acceptance::Criterion::paper && result.claim == Claim::solved) {
+    const double error =
+        result.w.size() > 0 ? judgement.accuracy.paper_error : judgement.accuracy.residual_unscaled;
+    judgement.verdict = error <= acceptance.tolerance ? Verdict::solved : Verdict::wrong;
+  }
+  return judgement;
+}
+
+/// The angle nearest to `before` that stands for the same direction as `angle`.
+double continued(double angle, double before) {
+  const double turn = 2 * std::numbers::pi;
+  return angle + turn * std::round((before - angle) / turn);
+}
+
+Index violated_contacts(const ContactSolution& solution) {
+  const Problem& problem = solution.frictional;
+  const FrictionBlocks& blocks = *problem.friction;
+  const VectorXd velocity = post_velocities(blocks, solution.forces);
+  Index count = 0;
+  for (Index i = 0; i < blocks.contacts(); ++i)
+    count += velocity(3 * i) < -kViolation * problem.s_w(blocks.normal_row[i]);
+  return count;
+}
+
+/// One simulation: the solver's calls timed, its answers judged outside the clock.
+class Loop {
+ public:
+  Loop(const NamedScene& scene, const NamedSolver& solver, const Acceptance& acceptance,
+       const FrameLook& look)
+      : simulation_(scene.setup.system, scene.setup.stepping),
+        solver_(solver),
+        acceptance_(acceptance),
+        look_(look) {
+    contact_solver_.solve = [this](const Problem& problem, const Call& call) {
+      const Clock::time_point begin = Clock::now();
+      Result result = solver_.solver->solve(problem, call);
+      solves_ns_.push_back(since(begin));
+      return result;
+    };
+    contact_solver_.accept = [this](const Problem& problem, const Result& result) {
+      const Clock::time_point begin = Clock::now();
+      judgements_.push_back(judge_by(acceptance_, problem, result));
+      outside_ns_ += since(begin);
+      return judgements_.back().verdict == Verdict::solved;
+    };
+  }
+
+  FrameRecord step() {
+    solves_ns_.clear();
+    judgements_.clear();
+    outside_ns_ = 0;
+    FrameRecord record;
+    const Clock::time_point begin = Clock::now();
+    simulation_.step(contact_solver_, [&](const Frame& frame) {
+      const Clock::time_point looking = Clock::now();
+      describe(frame, record);
+      if (look_) look_(simulation_, frame, record);
+      outside_ns_ += since(looking);
+    });
+    record.step_ns = since(begin) - outside_ns_;
+    return record;
+  }
+
+ private:
+  void describe(const Frame& frame, FrameRecord& record) {
+    const Model& model = simulation_.system().model;
+    const Kinematics& k = frame.kinematics;
+    record.frame = frame.number;
+    record.time = frame.state.time;
+    record.points_found = frame.points_found;
+    record.contacts = frame.contacts.size();
+    record.centre_of_mass = centre_of_mass(model, k);
+    record.com_velocity = momentum(model, k).tail<3>() / model.mass();
+    const Matrix3d& R = k.pose.front().R;
+    yaw_ = continued(std::atan2(R(1, 0), R(0, 0)), yaw_);
+    record.yaw = yaw_;
+    record.tilt = std::acos(std::clamp(R(2, 2), -1.0, 1.0));
+    record.handle_forces.assign(simulation_.system().handles.size(), Vector3d::Zero());
+    for (std::size_t h = 0; h < record.handle_forces.size(); ++h)
+      record.handle_forces[h] = frame.link_forces.segment<3>(6 * h + 3);
+    if (record.contacts == 0) return;
+    record.depth = frame.links.depth.maxCoeff();
+    for (Index i = 0; i < record.contacts; ++i)
+      record.approach = std::max(record.approach, -frame.links.velocity(3 * i));
+    const ContactSolution& solution = frame.solution;
+    record.n = solution.frictional.size();
+    record.active = solution.active;
+    record.frictionless = judgements_.front().verdict;
+    record.frictional = judgements_.back().verdict;
+    record.accuracy = judgements_.back().accuracy;
+    record.message = solution.with_friction.message;
+    record.applied = solution.applied;
+    record.violated = violated_contacts(solution);
+    record.work = solution.with_friction.work;
+    record.frictionless_work = solution.without_friction.work;
+    record.frictionless_ns = solves_ns_.front();
+    record.frictional_ns = solves_ns_.back();
+  }
+
+  Simulation simulation_;
+  const NamedSolver& solver_;
+  const Acceptance& acceptance_;
+  const FrameLook& look_;
+  ContactSolver contact_solver_;
+  std::vector<std::int64_t> solves_ns_;  ///< Of the frame: frictionless, frictional.
+  std::vector<Judgement> judgements_;    ///< Likewise.
+  std::int64_t outside_ns_ = 0;
+  double yaw_ = 0;
+};
+
+}  // namespace
+
+LoopRun run_in_the_loop(const NamedScene& scene, const NamedSolver& solver,
+                        const Acceptance& acceptance, const FrameLook& look,
+                        const std::atomic<bool>& interrupted) {
+  LoopRun run{.scene = scene.spelling,
+              .solver = solver.spelling,
+              .acceptance = acceptance,
+              .dt = scene.setup.stepping.dt,
+              .duration = scene.setup.duration,
+              .frames = {},
+              .broken = {}};
+  const Index steps = std::lround(run.duration / run.dt);
+  Loop loop(scene, solver, acceptance, look);
+  run.frames.reserve(steps);
+  for (Index i = 0; i < steps; ++i) {
+    if (interrupted) {
+      run.broken = "interrupted";
+      break;
+    }
+    try {
+      run.frames.push_back(loop.step());
+    } catch (const SimulationBroke& error) {
+      run.broken = error.what();
+      break;
+    }
+  }
+  return run;
+}
+
+}  // namespace lcp

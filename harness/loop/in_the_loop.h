@@ -1,0 +1,70 @@
+#pragma once
+
+#include <atomic>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "harness/judge.h"
+#include "problems/scenes/scene.h"
+#include "solvers/registry.h"
+
+namespace lcp {
+
+/// When an answer counts as solved, and so may act.
+struct Acceptance {
+  enum class Criterion {
+    residual,  ///< The judge's: natural residual (scaled) of at most `tolerance`.
+    paper,     ///< The paper's: |w - M z - q - z0 c|_inf of the solver's own w and z0 of at most
+    ///< `tolerance` (unscaled, e_max); the unscaled natural residual where it keeps no w.
+  };
+
+  Criterion criterion = Criterion::residual;
+  double tolerance = 1e-6;
+};
+
+/// What happened in one frame of a simulation. Frames without contact have none of what solvers do.
+struct FrameRecord {
+  Index frame = 0;
+  double time = 0;         ///< s.
+  Index points_found = 0;  ///< Contact points before reduction.
+  Index contacts = 0;
+  Index n = 0;                            ///< Of the frictional LCP.
+  std::optional<Index> active;            ///< Contacts active without friction; where known.
+  Verdict frictional = Verdict::not_run;  ///< On the full LCP, by the loop's criterion.
+  Verdict frictionless = Verdict::not_run;
+  std::string message;
+  Applied applied = Applied::none;
+  Accuracy accuracy = {};  ///< Of the frictional answer.
+  Index violated = 0;      ///< Contacts whose w_a is below -1e-6 s_w under the forces that act.
+  Work work;               ///< Of the frictional solve,
+  Work frictionless_work;  ///< and of the one before.
+  std::int64_t frictional_ns = 0, frictionless_ns = 0;
+  std::int64_t step_ns = 0;  ///< The whole step, solves included; no judging, no looking.
+  double depth = 0;          ///< Largest overlap, m.
+  double approach = 0;       ///< Largest speed at which a contact closes, m/s.
+  Vector3d centre_of_mass = Vector3d::Zero(), com_velocity = Vector3d::Zero();
+  double yaw = 0;                       ///< Of the first link, rad, continued over turns.
+  double tilt = 0;                      ///< Angle between its z axis and the vertical, rad.
+  std::vector<Vector3d> handle_forces;  ///< Contact force on each handle, N, world axes.
+};
+
+/// A simulation from its start to its end, or to where it broke.
+struct LoopRun {
+  std::string scene, solver;  ///< Full spellings.
+  Acceptance acceptance;
+  double dt = 0, duration = 0;  ///< s.
+  std::vector<FrameRecord> frames;
+  std::string broken;  ///< Why it ended early: bodies no longer at finite speed; interrupted.
+};
+
+/// Looks at a frame before the bodies move, with its record (step_ns is still 0).
+using FrameLook = std::function<void(const Simulation&, const Frame&, const FrameRecord&)>;
+
+/// Simulates a scene with a solver in the loop: the forces it finds move the bodies. An answer that
+/// is not accepted counts as failed and the frictionless one acts (paper V-A).
+LoopRun run_in_the_loop(const NamedScene& scene, const NamedSolver& solver,
+                        const Acceptance& acceptance, const FrameLook& look,
+                        const std::atomic<bool>& interrupted);
+
+}  // namespace lcp

@@ -1,0 +1,109 @@
+#include "problems/scenes/dump.h"
+
+#include <fmt/format.h>
+
+#include <filesystem>
+#include <stdexcept>
+
+#include "problems/io/errors.h"
+#include "problems/io/hdf5/corpus.h"
+
+namespace lcp {
+
+namespace {
+
+constexpr Index kFramesPerShard = 100;
+
+const char* spell(Applied applied) {
+  switch (applied) {
+    case Applied::frictional:
+      return "frictional";
+    case Applied::frictionless:
+      return "frictionless";
+    case Applied::none:
+      break;
+  }
+  return "none";
+}
+
+std::string spell_ids(const std::vector<Contact>& contacts) {
+  std::string ids;
+  for (const Contact& contact : contacts)
+    ids += fmt::format("{}{}-{}-{}", ids.empty() ? "" : " ", contact.id.body1, contact.id.body2,
+                       contact.id.feature);
+  return ids;
+}
+
+bool moves_as_one(const System& system) {
+  try {
+    CompositeBody(system.model, system.handles);
+    return true;
+  } catch (const std::invalid_argument&) {
+    return false;
+  }
+}
+
+}  // namespace
+
+CorpusDump::CorpusDump(std::string directory, std::string scene, std::string driver)
+    : directory_(std::move(directory)), scene_(std::move(scene)), driver_(std::move(driver)) {
+  namespace fs = std::filesystem;
+  std::error_code error;
+  if (fs::exists(directory_, error) &&
+      !(fs::is_directory(directory_, error) && fs::is_empty(directory_, error)))
+    throw UnwritableOutput(
+        fmt::format("{}: exists already, expected a new directory for the corpus", directory_));
+  fs::create_directories(directory_, error);
+  if (error)
+    throw UnwritableOutput(fmt::format("{}: cannot create: {}", directory_, error.message()));
+}
+
+void CorpusDump::add(const Simulation& simulation, const Frame& frame) {
+  if (frame.contacts.size() == 0) return;
+  if (!moves_as_one_) moves_as_one_ = moves_as_one(simulation.system());
+  const FrictionModel& model = simulation.stepping().contact.friction;
+  add_pair(frame.contacts, frame, model, scene_,
+           simulation.stepping().composite ? "composite body" : "assembly and disassembly");
+  if (*moves_as_one_ && !simulation.stepping().composite)
+    add_pair(simulation.composite_contacts(frame), frame, model, scene_ + "+composite",
+             "composite body");
+  predecessor_ = fmt::format("{:05}", frame.number);
+  if (++frames_in_shard_ == kFramesPerShard) write_shard();
+}
+
+void CorpusDump::add_pair(const ContactProblem& contacts, const Frame& frame,
+                          const FrictionModel& model, const std::string& corpus,
+                          const char* matrix) {
+  std::map<std::string, std::string> provenance = {
+      {"scene", scene_},
+      {"time", fmt::format("{}", frame.state.time)},
+      {"driver", driver_},
+      {"predecessor", predecessor_ == "none" ? predecessor_ : corpus + "/" + predecessor_},
+      {"applied", spell(frame.solution.applied)},
+      {"contact_ids", spell_ids(contacts.contacts)},
+      {"W", matrix}};
+  const auto add = [&](const std::string& name, const Problem& problem) {
+    Instance instance =
+        make_instance(fmt::format("{}/{:05}", name, frame.number), problem, provenance);
+    instance.active_contacts = frame.solution.active;
+    shard_.push_back(std::move(instance));
+  };
+  add(corpus, friction_lcp(contacts, model));
+  if (provenance["predecessor"] != "none")
+    provenance["predecessor"] = corpus + "+frictionless/" + predecessor_;
+  add(corpus + "+frictionless", frictionless_lcp(contacts));
+}
+
+void CorpusDump::write_shard() {
+  write_corpus(fmt::format("{}/{:04}.hdf5", directory_, shards_), shard_);
+  written_ += shard_.size();
+  shard_.clear();
+  frames_in_shard_ = 0;
+  ++shards_;
+}
+
+void CorpusDump::close() {
+  if (!shard_.empty()) write_shard();
+}
+
+}  // namespace lcp

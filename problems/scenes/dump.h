@@ -1,0 +1,48 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "problems/instance.h"
+#include "problems/rigid/simulation.h"
+
+namespace lcp {
+
+/// Writes the LCPs of a simulation as a corpus: a directory of files (shards) of 100 frames each,
+/// which load_instances reads as one. A shard appears complete or not at all, so that whatever ends
+/// the program, what stands there is readable.
+///
+/// A frame with contact gives the frictional and the frictionless LCP, each with the contact matrix
+/// of the ADA and, where the system moves as one body, with that of the composite body:
+///
+///     SCENE/00042   SCENE+frictionless/00042   SCENE+composite/00042
+///     SCENE+composite+frictionless/00042
+///
+/// Provenance: scene, time, driver, predecessor, applied, contact_ids, W.
+class CorpusDump {
+ public:
+  /// `scene` and `driver` in full spelling. Throws UnwritableOutput when `directory` exists and is
+  /// not empty, or cannot be made.
+  CorpusDump(std::string directory, std::string scene, std::string driver);
+  /// Throws UnwritableOutput.
+  void add(const Simulation& simulation, const Frame& frame);
+  /// Writes the last shard. A dump that is destroyed without this lacks the frames in it.
+  void close();
+
+  std::size_t instances() const { return written_; }
+
+ private:
+  void add_pair(const ContactProblem& contacts, const Frame& frame, const FrictionModel& model,
+                const std::string& corpus, const char* matrix);
+  void write_shard();
+
+  std::string directory_, scene_, driver_;
+  std::vector<Instance> shard_;
+  Index frames_in_shard_ = 0, shards_ = 0;
+  std::size_t written_ = 0;
+  std::string predecessor_ = "none";
+  std::optional<bool> moves_as_one_;
+};
+
+}  // namespace lcp
