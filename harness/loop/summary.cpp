@@ -181,18 +181,13 @@ std::string frames_csv(const LoopRun& run) {
   const std::size_t handles = run.frames.empty() ? 0 : run.frames.front().handle_forces.size();
   for (std::size_t h = 0; h < handles; ++h) csv += fmt::format(",f{0}_x,f{0}_y,f{0}_z", h);
   csv += '\n';
-  const auto name = [](Applied applied) {
-    return applied == Applied::frictional     ? "frictional"
-           : applied == Applied::frictionless ? "frictionless"
-                                              : "none";
-  };
   for (const FrameRecord& f : run.frames) {
     csv += fmt::format("{},{},{},{},", f.frame, f.time, f.points_found, f.contacts);
     csv += f.active ? fmt::format("{}", *f.active) : "";
     if (f.contacts > 0)
       csv +=
           fmt::format(",{},{},{},{:.3e},{:.3e}", to_string(f.frictional), to_string(f.frictionless),
-                      name(f.applied), f.accuracy.residual, f.accuracy.paper_error);
+                      to_string(f.applied), f.accuracy.residual, f.accuracy.paper_error);
     else
       csv += ",,,none,,";
     csv +=

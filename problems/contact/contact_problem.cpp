@@ -42,6 +42,14 @@ Contact make_contact(const Eigen::Vector3d& normal, const Eigen::Vector3d& along
   return {n, t1, n.cross(t1), mu, id};
 }
 
+std::string spell_ids(const std::vector<Contact>& contacts) {
+  std::string ids;
+  for (const Contact& contact : contacts)
+    ids += fmt::format("{}{}-{}-{}", ids.empty() ? "" : " ", contact.id.body1, contact.id.body2,
+                       contact.id.feature);
+  return ids;
+}
+
 MatrixXd contact_axes(const std::vector<Contact>& contacts) {
   MatrixXd axes(3 * contacts.size(), 3);
   Index row = 0;

@@ -51,6 +51,9 @@ struct ContactProblem {
 Contact make_contact(const Eigen::Vector3d& normal, const Eigen::Vector3d& along, double mu,
                      ContactId id);
 
+/// `body1-body2-feature` of each contact, in their order, with spaces between.
+std::string spell_ids(const std::vector<Contact>& contacts);
+
 /// Axes of all contacts as rows, 3 Nc x 3: row 3i + k holds axis k of contact i in the world.
 MatrixXd contact_axes(const std::vector<Contact>& contacts);
 

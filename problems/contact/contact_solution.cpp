@@ -91,6 +91,18 @@ Result solve_active_only(const ContactProblem& problem, const ContactModel& mode
 
 }  // namespace
 
+std::string to_string(Applied applied) {
+  switch (applied) {
+    case Applied::frictional:
+      return "frictional";
+    case Applied::frictionless:
+      return "frictionless";
+    case Applied::none:
+      break;
+  }
+  return "none";
+}
+
 ContactSolution solve_contacts(const ContactProblem& problem, const ContactModel& model,
                                const ContactSolver& solver) {
   ContactSolution solution;

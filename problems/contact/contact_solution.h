@@ -1,6 +1,7 @@
 #pragma once
 
 #include <functional>
+#include <string>
 
 #include "problems/contact/friction_lcp.h"
 #include "solvers/result.h"
@@ -34,6 +35,8 @@ enum class Applied {
   frictionless,  ///< The frictional LCP failed: bodies do not sink, but slip.
   none,          ///< Both failed.
 };
+
+std::string to_string(Applied applied);
 
 /// A frame's two LCPs, their answers, and the forces that act.
 struct ContactSolution {

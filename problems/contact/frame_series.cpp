@@ -4,17 +4,11 @@
 
 #include <algorithm>
 
+#include "problems/contact/contact_solution.h"
+
 namespace lcp {
 
 namespace {
-
-std::string spell_ids(const std::vector<Contact>& contacts) {
-  std::string ids;
-  for (const Contact& contact : contacts)
-    ids += fmt::format("{}{}-{}-{}", ids.empty() ? "" : " ", contact.id.body1, contact.id.body2,
-                       contact.id.feature);
-  return ids;
-}
 
 /// Contacts whose a_i is basic; nothing where the driver failed or works without a basis.
 std::optional<Index> active_contacts(const Result& frictionless, Index contacts) {
@@ -29,38 +23,29 @@ FrameSeries::FrameSeries(std::string scene, const std::string& driver, FrictionM
     : scene_(std::move(scene)), driver_(make_solver(driver)), model_(model) {}
 
 VectorXd FrameSeries::add(const ContactProblem& frame, double time, const std::string& start) {
-  const Problem frictional = friction_lcp(frame, model_);
-  const Problem frictionless = frictionless_lcp(frame);
-  const Result with = driver_.solver->solve(frictional);
-  const Result without = driver_.solver->solve(frictionless);
-
-  VectorXd forces = VectorXd::Zero(3 * frame.size());
-  std::string applied = "none";
-  if (with.claim == Claim::solved) {
-    forces = contact_forces(*frictional.friction, with.z);
-    applied = "frictional";
-  } else {
-    ++fallbacks_;
-    if (without.claim == Claim::solved) {
-      forces = contact_forces(*frictionless.friction, without.z);
-      applied = "frictionless";
-    }
-  }
+  const ContactSolver driver = {
+      [this](const Problem& problem, const Call& call) {
+        return driver_.solver->solve(problem, call);
+      },
+      [](const Problem&, const Result& result) { return result.claim == Claim::solved; }};
+  ContactSolution solution =
+      solve_contacts(frame, {.friction = model_, .start = ContactModel::Start::cold}, driver);
+  fallbacks_ += solution.applied != Applied::frictional;
 
   const std::string predecessor = instances_.empty() ? "none" : instances_.back().name;
   Instance instance =
-      make_instance(fmt::format("{}/{:04}", scene_, instances_.size()), frictional,
+      make_instance(fmt::format("{}/{:04}", scene_, instances_.size()), solution.frictional,
                     {{"scene", scene_},
                      {"time", fmt::format("{}", time)},
                      {"driver", driver_.spelling},
                      {"predecessor", predecessor},
                      {"start", start.empty() ? fmt::format("forces of {}", predecessor) : start},
-                     {"applied", applied},
+                     {"applied", to_string(solution.applied)},
                      {"fallbacks", std::to_string(fallbacks_)},
                      {"contact_ids", spell_ids(frame.contacts)}});
-  instance.active_contacts = active_contacts(without, frame.size());
+  instance.active_contacts = solution.active;
   instances_.push_back(std::move(instance));
-  return forces;
+  return solution.forces;
 }
 
 Instance lone_frame(const std::string& scene, Index number, const ContactProblem& frame,

@@ -14,26 +14,6 @@ namespace {
 
 constexpr Index kFramesPerShard = 100;
 
-const char* spell(Applied applied) {
-  switch (applied) {
-    case Applied::frictional:
-      return "frictional";
-    case Applied::frictionless:
-      return "frictionless";
-    case Applied::none:
-      break;
-  }
-  return "none";
-}
-
-std::string spell_ids(const std::vector<Contact>& contacts) {
-  std::string ids;
-  for (const Contact& contact : contacts)
-    ids += fmt::format("{}{}-{}-{}", ids.empty() ? "" : " ", contact.id.body1, contact.id.body2,
-                       contact.id.feature);
-  return ids;
-}
-
 bool moves_as_one(const System& system) {
   try {
     CompositeBody(system.model, system.handles);
@@ -79,7 +59,7 @@ void CorpusDump::add_pair(const ContactProblem& contacts, const Frame& frame,
       {"time", fmt::format("{}", frame.state.time)},
       {"driver", driver_},
       {"predecessor", predecessor_ == "none" ? predecessor_ : corpus + "/" + predecessor_},
-      {"applied", spell(frame.solution.applied)},
+      {"applied", to_string(frame.solution.applied)},
       {"contact_ids", spell_ids(contacts.contacts)},
       {"W", matrix}};
   const auto add = [&](const std::string& name, const Problem& problem) {
