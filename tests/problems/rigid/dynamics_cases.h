@@ -1,11 +1,9 @@
 #pragma once
 
-#include <fmt/format.h>
-#include <gtest/gtest.h>
-
 #include <ostream>
 
 #include "problems/scenes/humanoid/magnum.h"
+#include "tests/problems/rigid/figures.h"
 #include "tests/problems/rigid/random_models.h"
 
 namespace lcp::cases {
@@ -65,14 +63,6 @@ struct Situation {
 
   Kinematics kinematics() const { return lcp::kinematics(model, state, origin, acceleration); }
 
-  /// Keeps a figure with the test's result, to be read in its log.
-  double record(const std::string& what, double figure) const {
-    testing::Test::RecordProperty(what, fmt::format("{:.1e}", figure));
-    if (std::getenv("LCPBENCH_PRINT_FIGURES"))
-      fmt::print("{:<28} {:<12} {:.1e}\n", name, what, figure);
-    return figure;
-  }
-
  private:
   Situation(const DynamicsCase& each, Uniform uniform)
       : model(each.model(uniform)),
@@ -82,8 +72,7 @@ struct Situation {
                    : Vector3d(0.1, -0.2, 0.3)),
         gravity(0.3, -0.5, -9.80665),
         torques(random_numbers(model.velocities(), uniform)),
-        acceleration(random_numbers(model.prescribed().size(), uniform)),
-        name(each.name) {
+        acceleration(random_numbers(model.prescribed().size(), uniform)) {
     if (model.size() == 21) {
       handles = {magnum::foot(magnum::Side::left), magnum::foot(magnum::Side::right)};
     } else {
@@ -92,7 +81,6 @@ struct Situation {
     }
     forces = 5 * random_numbers(6 * handles.size(), uniform);
   }
-  std::string name;
 };
 
 }  // namespace lcp::cases

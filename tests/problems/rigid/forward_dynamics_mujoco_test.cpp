@@ -12,6 +12,7 @@ namespace lcp {
 namespace {
 
 using cases::DynamicsCase;
+using cases::record;
 using cases::relative_error;
 
 class AgainstMuJoCo : public testing::TestWithParam<DynamicsCase> {
@@ -38,7 +39,7 @@ TEST_P(AgainstMuJoCo, LinksMoveAlike) {
     ours.col(i) = k.velocity[i];
     theirs.col(i) = mujoco_.jacobian(i, s_.origin) * s_.state.u;
   }
-  EXPECT_LE(s_.record("velocities", relative_error(ours, theirs)), 1e-9);
+  EXPECT_LE(record("velocities", relative_error(ours, theirs)), 1e-9);
 }
 
 TEST_P(AgainstMuJoCo, HandlesAnswerAsJMinusJTransposed) {
@@ -50,7 +51,7 @@ TEST_P(AgainstMuJoCo, HandlesAnswerAsJMinusJTransposed) {
     J.middleRows<6>(6 * h) = mujoco_.jacobian(s_.handles[h], s_.origin)(Eigen::all, moving);
   const MatrixXd M = mujoco_.mass_matrix()(moving, moving);
   const MatrixXd expected = J * M.llt().solve(J.transpose());
-  EXPECT_LE(s_.record("J M^-1 J'", relative_error(dynamics.handle_dynamics().Phi, expected)), 1e-9);
+  EXPECT_LE(record("J M^-1 J'", relative_error(dynamics.handle_dynamics().Phi, expected)), 1e-9);
 }
 
 TEST_P(AgainstMuJoCo, JointsAccelerateAlikeUnderGravityVelocitiesTorquesAndWrenches) {
@@ -81,7 +82,7 @@ TEST_P(AgainstMuJoCo, JointsAccelerateAlikeUnderGravityVelocitiesTorquesAndWrenc
     expected = VectorXd::Zero(s_.model.velocities());
     expected(moving) = VectorXd(MatrixXd(M(moving, moving)).llt().solve(rest));
   }
-  EXPECT_LE(s_.record("joints", relative_error(ours, expected)), 1e-9);
+  EXPECT_LE(record("joints", relative_error(ours, expected)), 1e-9);
 }
 
 INSTANTIATE_TEST_SUITE_P(All, AgainstMuJoCo, testing::ValuesIn(cases::dynamics_cases()),

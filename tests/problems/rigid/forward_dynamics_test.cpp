@@ -13,6 +13,7 @@ namespace lcp {
 namespace {
 
 using cases::DynamicsCase;
+using cases::record;
 using cases::relative_error;
 
 VectorXd stacked(const std::vector<Vector6d>& parts) {
@@ -30,8 +31,8 @@ TEST_P(OnManySystems, HandlesAnswerAsInMaximalCoordinates) {
   const HandleDynamics ours = dynamics.handle_dynamics();
   const cases::MaximalCoordinates oracle(s.model, s.state, s.acceleration);
   const HandleDynamics expected = oracle.handle_dynamics(s.handles, s.origin, s.torques, s.gravity);
-  EXPECT_LE(s.record("Phi", relative_error(ours.Phi, expected.Phi)), 1e-9);
-  EXPECT_LE(s.record("phi", relative_error(ours.phi, expected.phi)), 1e-9);
+  EXPECT_LE(record("Phi", relative_error(ours.Phi, expected.Phi)), 1e-9);
+  EXPECT_LE(record("phi", relative_error(ours.phi, expected.phi)), 1e-9);
 }
 
 TEST_P(OnManySystems, AllLinksAndJointsAccelerateAsInMaximalCoordinates) {
@@ -42,8 +43,8 @@ TEST_P(OnManySystems, AllLinksAndJointsAccelerateAsInMaximalCoordinates) {
   const cases::MaximalCoordinates oracle(s.model, s.state, s.acceleration);
   const Accelerations expected =
       oracle.accelerations(s.handles, s.forces, s.origin, s.torques, s.gravity);
-  EXPECT_LE(s.record("joints", relative_error(ours.joints, expected.joints)), 1e-9);
-  EXPECT_LE(s.record("links", relative_error(stacked(ours.links), stacked(expected.links))), 1e-9);
+  EXPECT_LE(record("joints", relative_error(ours.joints, expected.joints)), 1e-9);
+  EXPECT_LE(record("links", relative_error(stacked(ours.links), stacked(expected.links))), 1e-9);
 }
 
 TEST_P(OnManySystems, HandlesAndJointsAnswerAsInJointCoordinates) {
@@ -52,10 +53,10 @@ TEST_P(OnManySystems, HandlesAndJointsAnswerAsInJointCoordinates) {
   ForwardDynamics dynamics(s.model, s.handles);
   dynamics.assemble(k, s.torques, s.gravity);
   const cases::JointCoordinates oracle = cases::joint_coordinates(s.model, k, s.gravity);
-  EXPECT_LE(s.record("J M^-1 J'", relative_error(dynamics.handle_dynamics().Phi,
+  EXPECT_LE(record("J M^-1 J'", relative_error(dynamics.handle_dynamics().Phi,
                                                  oracle.delassus(s.handles))),
             1e-9);
-  EXPECT_LE(s.record("joints", relative_error(dynamics.disassemble(s.forces).joints,
+  EXPECT_LE(record("joints", relative_error(dynamics.disassemble(s.forces).joints,
                                               oracle.accelerations(s.handles, s.forces, s.torques))),
             1e-9);
 }
@@ -69,7 +70,7 @@ TEST_P(OnManySystems, ForcesAccelerateTheHandlesAsPhiSays) {
   const Accelerations found = dynamics.disassemble(s.forces);
   std::vector<Vector6d> of_handles;
   for (const Index h : s.handles) of_handles.push_back(found.links[h]);
-  EXPECT_LE(s.record("a - Phi F - phi", relative_error(stacked(of_handles), expected)), 1e-9);
+  EXPECT_LE(record("a - Phi F - phi", relative_error(stacked(of_handles), expected)), 1e-9);
 }
 
 TEST_P(OnManySystems, PhiIsSymmetric) {
@@ -77,7 +78,7 @@ TEST_P(OnManySystems, PhiIsSymmetric) {
   ForwardDynamics dynamics(s.model, s.handles);
   dynamics.assemble(s.kinematics(), s.torques, s.gravity);
   const MatrixXd Phi = dynamics.handle_dynamics().Phi;
-  EXPECT_LE(s.record("Phi - Phi'", relative_error(Phi.transpose(), Phi)), 1e-12);
+  EXPECT_LE(record("Phi - Phi'", relative_error(Phi.transpose(), Phi)), 1e-12);
 }
 
 INSTANTIATE_TEST_SUITE_P(All, OnManySystems, testing::ValuesIn(cases::dynamics_cases()),
