@@ -145,8 +145,8 @@ TEST(ContactProblem, VbarIsTheVelocityThatPointsOfTheBodiesGainWithoutForces) {
     const Contact& c = contacts.contacts[i];
     expected.segment<3>(3 * i) += dt * Vector3d(c.n.dot(a), c.t1.dot(a), c.t2.dot(a));
   }
-  EXPECT_LE(record("gain", relative_error(problem.vbar - contacts.velocity,
-                                          expected - contacts.velocity)),
+  EXPECT_LE(record("gain",
+                   relative_error(problem.vbar - contacts.velocity, expected - contacts.velocity)),
             1e-6);
 }
 

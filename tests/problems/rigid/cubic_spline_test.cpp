@@ -38,7 +38,8 @@ TEST(CubicSpline, RatesAndAccelerationsAreItsDerivatives) {
   const CubicSpline spline = jagged();
   constexpr double h = 1e-5;
   for (double t = 0.013; t < 0.5; t += 0.02) {
-    const CubicSpline::Point before = spline.at(t - h), here = spline.at(t), after = spline.at(t + h);
+    const CubicSpline::Point before = spline.at(t - h), here = spline.at(t),
+                             after = spline.at(t + h);
     EXPECT_LE(((after.value - before.value) / (2 * h) - here.rate).norm(), 1e-5) << t;
     EXPECT_LE(((after.rate - before.rate) / (2 * h) - here.acceleration).norm(), 1e-4) << t;
   }

@@ -76,8 +76,7 @@ TEST_P(AgainstMuJoCo, JointsAccelerateAlikeUnderGravityVelocitiesTorquesAndWrenc
             s_.torques.segment(s_.model.u_of(i), velocities(kind));
     }
     for (std::size_t h = 0; h < s_.handles.size(); ++h)
-      right += mujoco_.jacobian(s_.handles[h], s_.origin).transpose() *
-               s_.forces.segment<6>(6 * h);
+      right += mujoco_.jacobian(s_.handles[h], s_.origin).transpose() * s_.forces.segment<6>(6 * h);
     const VectorXd rest = (right - M * known)(moving);
     expected = VectorXd::Zero(s_.model.velocities());
     expected(moving) = VectorXd(MatrixXd(M(moving, moving)).llt().solve(rest));

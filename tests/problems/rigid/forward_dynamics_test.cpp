@@ -53,11 +53,11 @@ TEST_P(OnManySystems, HandlesAndJointsAnswerAsInJointCoordinates) {
   ForwardDynamics dynamics(s.model, s.handles);
   dynamics.assemble(k, s.torques, s.gravity);
   const cases::JointCoordinates oracle = cases::joint_coordinates(s.model, k, s.gravity);
-  EXPECT_LE(record("J M^-1 J'", relative_error(dynamics.handle_dynamics().Phi,
-                                                 oracle.delassus(s.handles))),
+  EXPECT_LE(record("J M^-1 J'",
+                   relative_error(dynamics.handle_dynamics().Phi, oracle.delassus(s.handles))),
             1e-9);
   EXPECT_LE(record("joints", relative_error(dynamics.disassemble(s.forces).joints,
-                                              oracle.accelerations(s.handles, s.forces, s.torques))),
+                                            oracle.accelerations(s.handles, s.forces, s.torques))),
             1e-9);
 }
 
@@ -86,9 +86,8 @@ INSTANTIATE_TEST_SUITE_P(All, OnManySystems, testing::ValuesIn(cases::dynamics_c
 
 TEST(ForwardDynamics, FreeLinksDoNotFeelOneAnother) {
   cases::Uniform uniform(31);
-  const Model model(
-      {cases::random_link(Link::world, JointKind::free, uniform),
-       cases::random_link(Link::world, JointKind::free, uniform)});
+  const Model model({cases::random_link(Link::world, JointKind::free, uniform),
+                     cases::random_link(Link::world, JointKind::free, uniform)});
   ForwardDynamics dynamics(model, {0, 1});
   dynamics.assemble(kinematics(model, cases::random_state(model, uniform)),
                     VectorXd::Zero(model.velocities()), Vector3d::Zero());
@@ -105,9 +104,9 @@ TEST(ForwardDynamics, TheAnswerOnOneLinkDoesNotDependOnTheOtherHandles) {
   few.assemble(s.kinematics(), s.torques, s.gravity);
   many.assemble(s.kinematics(), s.torques, s.gravity);
   const Index at = 6 * s.handles.front();
-  EXPECT_LE(relative_error(few.handle_dynamics().Phi,
-                           many.handle_dynamics().Phi.block(at, at, 6, 6)),
-            1e-12);
+  EXPECT_LE(
+      relative_error(few.handle_dynamics().Phi, many.handle_dynamics().Phi.block(at, at, 6, 6)),
+      1e-12);
   EXPECT_LE(relative_error(few.handle_dynamics().phi, many.handle_dynamics().phi.segment(at, 6)),
             1e-12);
 }

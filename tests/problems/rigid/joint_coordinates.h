@@ -10,12 +10,12 @@ namespace lcp::cases {
 ///
 /// and what it says of handles. Prescribed joints' du/dt is known: their rows are left out.
 struct JointCoordinates {
-  MatrixXd M;                           ///< Of all u.
-  VectorXd c;                           ///< With gravity; all of u, prescribed du/dt in it.
-  VectorXd driven;                      ///< 1 for each u whose joint may have a torque, else 0.
-  std::vector<MatrixXd> J;              ///< 6 x u of each link, at O.
-  std::vector<Vector6d> bias;           ///< Acceleration of each link while du/dt = 0.
-  std::vector<Index> free_velocities;   ///< Places in u that are not prescribed.
+  MatrixXd M;                          ///< Of all u.
+  VectorXd c;                          ///< With gravity; all of u, prescribed du/dt in it.
+  VectorXd driven;                     ///< 1 for each u whose joint may have a torque, else 0.
+  std::vector<MatrixXd> J;             ///< 6 x u of each link, at O.
+  std::vector<Vector6d> bias;          ///< Acceleration of each link while du/dt = 0.
+  std::vector<Index> free_velocities;  ///< Places in u that are not prescribed.
 
   /// J M^-1 J' of the links `handles`.
   MatrixXd delassus(const std::vector<Index>& handles) const {
@@ -26,7 +26,8 @@ struct JointCoordinates {
   /// du/dt under torques (none in free joints) and forces (6N at O) on `handles`.
   VectorXd accelerations(const std::vector<Index>& handles, const VectorXd& forces,
                          const VectorXd& torques) const {
-    const VectorXd right = (driven.cwiseProduct(torques) - c)(free_velocities) + jacobian(handles).transpose() * forces;
+    const VectorXd right = (driven.cwiseProduct(torques) - c)(free_velocities) +
+                           jacobian(handles).transpose() * forces;
     VectorXd found = VectorXd::Zero(M.rows());
     found(free_velocities) = VectorXd(factor().solve(right));
     return found;
@@ -71,8 +72,8 @@ inline JointCoordinates joint_coordinates(const Model& model, const Kinematics& 
     const Vector6d& v = k.velocity[i];
     const Vector3d r = k.from_origin(k.pose[i] * link.centre);
     found.M += J.transpose() * M * J;
-    found.c += J.transpose() *
-               (M * bias + cross_force(v, M * v) - force_at(r, link.mass * gravity));
+    found.c +=
+        J.transpose() * (M * bias + cross_force(v, M * v) - force_at(r, link.mass * gravity));
     found.J.push_back(std::move(J));
     found.bias.push_back(bias);
   }

@@ -11,7 +11,7 @@ namespace {
 using cases::record;
 using cases::relative_error;
 
-constexpr double kStep = 1e-5;       // s, of central differences
+constexpr double kStep = 1e-5;        // s, of central differences
 constexpr double kDifference = 1e-8;  // what they are good for, relative
 
 class KinematicsOfManySystems : public testing::TestWithParam<cases::DynamicsCase> {
@@ -60,8 +60,7 @@ TEST_P(KinematicsOfManySystems, TheMassTimesTheSpeedOfItsCentreIsTheLinearMoment
 
 TEST_P(KinematicsOfManySystems, MomentumMovesToAnotherOriginAsAForceDoes) {
   const Vector3d shift(0.3, -0.7, 0.2);
-  const Kinematics there =
-      kinematics(s_.model, s_.state, s_.origin + shift, s_.acceleration);
+  const Kinematics there = kinematics(s_.model, s_.state, s_.origin + shift, s_.acceleration);
   const Vector6d p = momentum(s_.model, here_);
   const Vector6d expected = stack(p.head<3>() - shift.cross(p.tail<3>()), p.tail<3>());
   EXPECT_LE(relative_error(momentum(s_.model, there), expected), 1e-12);
@@ -69,9 +68,8 @@ TEST_P(KinematicsOfManySystems, MomentumMovesToAnotherOriginAsAForceDoes) {
 
 TEST_P(KinematicsOfManySystems, EnergyIsHalfUMuAndTheWeightTimesTheHeightOfTheCentre) {
   const cases::JointCoordinates d = cases::joint_coordinates(s_.model, here_, s_.gravity);
-  const double expected =
-      0.5 * s_.state.u.dot(d.M * s_.state.u) -
-      s_.model.mass() * s_.gravity.dot(centre_of_mass(s_.model, here_));
+  const double expected = 0.5 * s_.state.u.dot(d.M * s_.state.u) -
+                          s_.model.mass() * s_.gravity.dot(centre_of_mass(s_.model, here_));
   EXPECT_NEAR(energy(s_.model, here_, s_.gravity), expected, 1e-12 * std::abs(expected) + 1e-12);
 }
 
@@ -90,8 +88,7 @@ TEST_P(KinematicsOfManySystems, MovingInHalvesAtConstantVelocityEndsAtTheSamePla
   EXPECT_LE((moved(s_.model, half, s_.state.u, 0.25) - once).norm(), 1e-12);
 }
 
-INSTANTIATE_TEST_SUITE_P(All, KinematicsOfManySystems,
-                         testing::ValuesIn(cases::dynamics_cases()),
+INSTANTIATE_TEST_SUITE_P(All, KinematicsOfManySystems, testing::ValuesIn(cases::dynamics_cases()),
                          [](const auto& each) { return each.param.name; });
 
 TEST(Kinematics, ATumblingBodyReturnsAfterAFullTurn) {

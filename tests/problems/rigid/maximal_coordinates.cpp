@@ -153,7 +153,8 @@ void MaximalCoordinates::add_force(Index link, const Vector6d& at_origin, const 
 Vector6d MaximalCoordinates::spatial(Index link, const VectorXd& accelerations,
                                      const Vector3d& origin, bool at_rest) const {
   const Body& body = bodies_[link];
-  const Vector3d alpha = accelerations.segment<3>(6 * link), a = accelerations.segment<3>(6 * link + 3);
+  const Vector3d alpha = accelerations.segment<3>(6 * link),
+                 a = accelerations.segment<3>(6 * link + 3);
   Vector6d found;
   found << alpha, a + alpha.cross(origin - body.c);  // of v + omega x (origin - c), c moving with v
   if (!at_rest) found.tail<3>() -= body.omega.cross(body.v);

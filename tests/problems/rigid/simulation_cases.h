@@ -13,12 +13,11 @@ constexpr double kGravity = 9.80665;  // m/s^2
 
 /// A row of the registry in the loop; what it claims to have solved acts.
 inline ContactSolver solver_in_the_loop(const std::string& spelling = "best-first") {
-  return {.solve = [made = make_solver(spelling)](
-                       const Problem& problem,
-                       const Call& call) { return made.solver->solve(problem, call); },
-          .accept = [](const Problem&, const Result& result) {
-            return result.claim == Claim::solved;
-          }};
+  return {
+      .solve = [made = make_solver(spelling)](
+                   const Problem& problem,
+                   const Call& call) { return made.solver->solve(problem, call); },
+      .accept = [](const Problem&, const Result& result) { return result.claim == Claim::solved; }};
 }
 
 /// A free body whose frame is at its centre of mass.
@@ -41,7 +40,9 @@ inline Link free_sphere(double mass, double radius) {
 /// Corners of the lower face of a box, in its frame.
 inline std::vector<Vector3d> lower_corners(const Vector3d& edges) {
   const Vector3d h = edges / 2;
-  return {{h.x(), h.y(), -h.z()}, {-h.x(), h.y(), -h.z()}, {-h.x(), -h.y(), -h.z()},
+  return {{h.x(), h.y(), -h.z()},
+          {-h.x(), h.y(), -h.z()},
+          {-h.x(), -h.y(), -h.z()},
           {h.x(), -h.y(), -h.z()}};
 }
 

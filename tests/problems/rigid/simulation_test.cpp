@@ -19,9 +19,9 @@ const Vector3d kEdges(0.2, 0.1, 0.1);
 
 /// A box that stands on the floor.
 System standing_box() {
-  System system = cases::one_body(
-      cases::free_box(2, kEdges),
-      cases::points_on_plane(cases::lower_corners(kEdges), Vector3d::UnitZ()), 0.5);
+  System system =
+      cases::one_body(cases::free_box(2, kEdges),
+                      cases::points_on_plane(cases::lower_corners(kEdges), Vector3d::UnitZ()), 0.5);
   system.start.q(2) = kEdges.z() / 2;
   return system;
 }
