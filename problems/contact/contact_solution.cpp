@@ -1,6 +1,7 @@
 #include "problems/contact/contact_solution.h"
 
 #include <algorithm>
+#include <limits>
 
 namespace lcp {
 
@@ -21,13 +22,14 @@ ContactProblem subset(const ContactProblem& problem, const std::vector<Index>& c
   std::vector<Index> axes;
   ContactProblem part;
   part.dt = problem.dt;
+  part.asymmetry_allowed = std::numeric_limits<double>::infinity();  // checked with the whole
   for (const Index i : contacts) {
     part.contacts.push_back(problem.contacts[i]);
     for (Index k = 0; k < 3; ++k) axes.push_back(3 * i + k);
   }
   part.W = problem.W(axes, axes);
   part.vbar = problem.vbar(axes);
-  part.v_before = problem.v_before(axes);
+  if (problem.v_before.size() > 0) part.v_before = problem.v_before(axes);
   return part;
 }
 
@@ -59,10 +61,15 @@ Result expanded(const Result& part, const FrictionBlocks& part_rows, const Probl
   const VectorXd velocity = post_velocities(rows, contact_forces(rows, whole.z));
   for (Index i = 0; i < rows.contacts(); ++i) {
     if (rows.cone_row[i] < 0 || std::binary_search(kept.begin(), kept.end(), i)) continue;
-    const auto along =
+    const VectorXd along =
         rows.directions.middleCols(i * m, m).transpose() * velocity.segment<2>(3 * i + 1);
-    whole.z(rows.cone_row[i]) = std::max(0.0, -along.minCoeff());
-    if (whole.z(rows.cone_row[i]) > 0) basis.push_back(rows.cone_row[i]);
+    Index most = 0;  // against the slip
+    whole.z(rows.cone_row[i]) = std::max(0.0, -along.minCoeff(&most));
+    if (whole.z(rows.cone_row[i]) > 0) {
+      // lambda alone would be a zero column of the basis: b along `most` is basic with it, at 0.
+      basis.push_back(rows.friction_row[i] + most);
+      basis.push_back(rows.cone_row[i]);
+    }
   }
   if (has_w) {
     const VectorXd w = full.M * whole.z + full.q;

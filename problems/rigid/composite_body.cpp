@@ -18,6 +18,8 @@ Matrix6d composite_inertia(const Model& model, const Kinematics& k) {
 
 CompositeBody::CompositeBody(const Model& model, std::vector<Index> handles)
     : model_(&model), handles_(std::move(handles)) {
+  if (model.size() == 0) throw std::invalid_argument("composite body: the model has no links");
+  check_handles(model, handles_, "composite body");
   for (Index i = 0; i < model.size(); ++i) {
     const Link& link = model.link(i);
     const bool rigid = link.joint == JointKind::prescribed || link.joint == JointKind::fixed;

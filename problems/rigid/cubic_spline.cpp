@@ -11,6 +11,7 @@ CubicSpline::CubicSpline(MatrixXd values, double spacing)
   const Index last = values_.cols() - 1;
   if (last < 1 || !(spacing > 0))
     throw std::invalid_argument("spline: expected 2 knots or more, a positive time apart");
+  if (!values_.allFinite()) throw std::invalid_argument("spline: a value is not finite");
   // m_{k-1} + 4 m_k + m_{k+1} = 6 (y_{k+1} - 2 y_k + y_{k-1}) / h^2, and 2 m_0 + m_1 = 6 (y_1 - y_0)
   // / h^2 at a clamped end; by elimination (Thomas), stable because the diagonal dominates.
   const double scale = 6 / (spacing * spacing);
@@ -34,6 +35,7 @@ CubicSpline::CubicSpline(MatrixXd values, double spacing)
 CubicSpline::Point CubicSpline::at(double time) const {
   const Index last = values_.cols() - 1;
   const double end = spacing_ * static_cast<double>(last);
+  if (std::isnan(time)) throw std::invalid_argument("spline: the time is not a number");
   if (time <= 0 || time >= end) {
     const VectorXd zero = VectorXd::Zero(values_.rows());
     return {values_.col(time <= 0 ? 0 : last), zero, zero};

@@ -10,12 +10,13 @@ namespace lcp {
 class CubicSpline {
  public:
   /// `values`: components x knots, at times 0, spacing (s), 2 spacing, ... Throws
-  /// std::invalid_argument unless there are 2 knots and spacing is positive.
+  /// std::invalid_argument unless there are 2 knots of finite values and spacing is positive.
   CubicSpline(MatrixXd values, double spacing);
 
   struct Point {
     VectorXd value, rate, acceleration;
   };
+  /// Throws std::invalid_argument on NaN.
   Point at(double time) const;
 
  private:

@@ -173,17 +173,22 @@ class Planner {
 
 }  // namespace
 
+void check_handles(const Model& model, const std::vector<Index>& handles,
+                   const std::string& where) {
+  for (std::size_t h = 0; h < handles.size(); ++h) {
+    const bool ascending = h == 0 || handles[h] > handles[h - 1];
+    if (handles[h] < 0 || handles[h] >= model.size() || !ascending)
+      throw std::invalid_argument(
+          fmt::format("{}: handle {} is link {}, expected ascending links 0 ... {}", where, h,
+                      handles[h], model.size() - 1));
+  }
+}
+
 class ForwardDynamics::Impl {
  public:
   Impl(const Model& model, std::vector<Index> handles)
       : model_(model), handles_(std::move(handles)) {
-    for (std::size_t h = 0; h < handles_.size(); ++h) {
-      const bool ascending = h == 0 || handles_[h] > handles_[h - 1];
-      if (handles_[h] < 0 || handles_[h] >= model.size() || !ascending)
-        throw std::invalid_argument(
-            fmt::format("forward dynamics: handle {} is link {}, expected ascending links 0 ... {}",
-                        h, handles_[h], model.size() - 1));
-    }
+    check_handles(model, handles_, "forward dynamics");
     const Planner planner(model_, handles_);
     std::vector<bool> planned(model.size(), false);
     for (Index i = 0; i < model.size(); ++i) {

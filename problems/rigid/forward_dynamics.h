@@ -15,6 +15,10 @@ struct HandleDynamics {
   VectorXd phi;  ///< 6N, bias accelerations.
 };
 
+/// Throws std::invalid_argument unless `handles` are links of the model, ascending. `where` begins the
+/// message.
+void check_handles(const Model& model, const std::vector<Index>& handles, const std::string& where);
+
 /// What a whole system does under forces on its handles.
 struct Accelerations {
   VectorXd joints;              ///< du/dt, in the order of u; 0 for prescribed joints.
@@ -65,7 +69,7 @@ class ForwardDynamics {
 
 /// The same for a system that moves as one body, a free link that carries prescribed and fixed joints
 /// only, from the inertia of the composite body: Phi_ij = M^-1 for all i, j, exactly of rank 6.
-/// Throws std::invalid_argument for another system.
+/// Throws std::invalid_argument for another system, and on handles as ForwardDynamics does.
 class CompositeBody {
  public:
   CompositeBody(const Model& model, std::vector<Index> handles);

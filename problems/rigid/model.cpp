@@ -11,7 +11,8 @@ namespace {
 
 using Eigen::Quaterniond;
 
-/// How far an axis may be from unit length, and an inertia from symmetry (relative): rounding.
+/// How far an axis may be from unit length, a frame from a rotation, and an inertia from symmetry
+/// (relative): rounding.
 constexpr double kRounding = 1e-9;
 
 void check_link(const std::vector<Link>& links, Index i) {
@@ -26,9 +27,14 @@ void check_link(const std::vector<Link>& links, Index i) {
   require(link.mass > 0 && std::isfinite(link.mass),
           fmt::format("mass is {} kg, expected more than 0", link.mass));
   require(std::abs(link.axis.norm() - 1) <= kRounding, "axis is not of unit length");
+  require(link.centre.allFinite() && link.in_parent.p.allFinite(),
+          "centre of mass or place in the parent is not finite");
+  const Matrix3d& R = link.in_parent.R;
+  require(R.allFinite() && R.determinant() > 0 && (R.transpose() * R).isIdentity(kRounding),
+          "frame in the parent is not a rotation");
   const bool symmetric = (link.inertia - link.inertia.transpose()).cwiseAbs().maxCoeff() <=
                          kRounding * link.inertia.cwiseAbs().maxCoeff();
-  require(symmetric && link.inertia.llt().info() == Eigen::Success,
+  require(link.inertia.allFinite() && symmetric && link.inertia.llt().info() == Eigen::Success,
           "inertia is not symmetric and positive definite");
 }
 

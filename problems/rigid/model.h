@@ -41,7 +41,8 @@ Index velocities(JointKind kind);
 class Model {
  public:
   /// Throws std::invalid_argument, naming the link, unless parents come first, free links have no
-  /// parent, masses are positive, inertias symmetric and positive definite and axes of unit length.
+  /// parent, masses are positive, inertias symmetric and positive definite, axes of unit length,
+  /// frames rotations, and all numbers finite.
   explicit Model(std::vector<Link> links);
 
   const std::vector<Link>& links() const { return links_; }

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
 #include <stdexcept>
 
 namespace lcp {
@@ -13,15 +14,23 @@ Vector3d Frame::force(Index i) const {
 }
 
 Simulation::Simulation(System system, Stepping stepping)
-    : system_(std::move(system)),
+    : system_(std::make_shared<const System>(std::move(system))),
       stepping_(std::move(stepping)),
-      state_(system_.start),
-      no_torques_(VectorXd::Zero(system_.model.velocities())),
-      dynamics_(system_.model, system_.handles) {
-  if (!(stepping_.dt > 0))
+      state_(system_->start),
+      no_torques_(VectorXd::Zero(system_->model.velocities())),
+      dynamics_(system_->model, system_->handles) {
+  const Model& model = system_->model;
+  if (!(stepping_.dt > 0) || !std::isfinite(stepping_.dt))
     throw std::invalid_argument(
         fmt::format("simulation: dt is {} s, expected a positive time", stepping_.dt));
-  if (!system_.model.prescribed().empty() && !system_.reference)
+  if (model.size() == 0) throw std::invalid_argument("simulation: the model has no links");
+  if (state_.q.size() != model.coordinates() || state_.u.size() != model.velocities())
+    throw std::invalid_argument(fmt::format(
+        "simulation: the start has {} coordinates and {} velocities, expected {} and {}",
+        state_.q.size(), state_.u.size(), model.coordinates(), model.velocities()));
+  if (!state_.q.allFinite() || !state_.u.allFinite() || !std::isfinite(state_.time))
+    throw std::invalid_argument("simulation: the start is not finite");
+  if (!model.prescribed().empty() && !system_->reference)
     throw std::invalid_argument("simulation: prescribed joints without a reference motion");
   follow_reference(state_);
 }
@@ -29,7 +38,7 @@ Simulation::Simulation(System system, Stepping stepping)
 void Simulation::step(const ContactSolver& solver, const std::function<void(const Frame&)>& look) {
   const Vector3d origin = kinematics_of(state_, Vector3d::Zero()).pose.front().p;
   const Kinematics here = kinematics_of(state_, origin);
-  dynamics_.assemble(here, no_torques_, system_.gravity);
+  dynamics_.assemble(here, no_torques_, system_->gravity);
 
   Frame frame{.number = number_,
               .state = state_,
@@ -51,37 +60,38 @@ void Simulation::step(const ContactSolver& solver, const std::function<void(cons
     state_.u += stepping_.dt * first_stage;
     state_.time += stepping_.dt;
     follow_reference(state_);  // before q moves: prescribed q is set, not integrated
-    state_.q = moved(system_.model, state_.q, state_.u, stepping_.dt);
+    state_.q = moved(system_->model, state_.q, state_.u, stepping_.dt);
     follow_reference(state_);
   }
   ++number_;
 }
 
 ContactProblem Simulation::composite_contacts(const Frame& frame) const {
-  const CompositeBody body(system_.model, system_.handles);
-  return contact_problem(frame.links, body.handle_dynamics(frame.kinematics, system_.gravity),
+  const CompositeBody body(system_->model, system_->handles);
+  return contact_problem(frame.links, body.handle_dynamics(frame.kinematics, system_->gravity),
                          body.inertia_factor(frame.kinematics), stepping_.dt, stepping_.correction);
 }
 
 JointMotion Simulation::reference(double time) const {
-  return system_.reference ? system_.reference(time) : JointMotion{};
+  return system_->reference ? system_->reference(time) : JointMotion{};
 }
 
 void Simulation::follow_reference(State& state) const {
   const JointMotion motion = reference(state.time);
   Index next = 0;
-  for (const Index i : system_.model.prescribed()) {
-    state.q(system_.model.q_of(i)) = motion.angle(next);
-    state.u(system_.model.u_of(i)) = motion.rate(next++);
+  for (const Index i : system_->model.prescribed()) {
+    state.q(system_->model.q_of(i)) = motion.angle(next);
+    state.u(system_->model.u_of(i)) = motion.rate(next++);
   }
 }
 
 Kinematics Simulation::kinematics_of(const State& state, const Vector3d& origin) const {
-  return kinematics(system_.model, state, origin, reference(state.time).acceleration);
+  return kinematics(system_->model, state, origin, reference(state.time).acceleration);
 }
 
 std::vector<ContactPoint> Simulation::contact_points(const Kinematics& k) const {
-  std::vector<ContactPoint> points = system_.collide(k);
+  if (!system_->collide) return {};
+  std::vector<ContactPoint> points = system_->collide(k);
   for (ContactPoint& point : points) {
     const Vector3d r = k.from_origin(point.position);
     point.normal_velocity = 0;
@@ -93,7 +103,7 @@ std::vector<ContactPoint> Simulation::contact_points(const Kinematics& k) const 
 }
 
 void Simulation::solve(Frame& frame, const ContactSolver& solver) {
-  frame.link_forces = VectorXd::Zero(6 * system_.handles.size());
+  frame.link_forces = VectorXd::Zero(6 * system_->handles.size());
   if (frame.points.empty()) return;
   if (stepping_.reduction.method != ReductionOptions::Method::none) {
     std::vector<ContactPoint> kept;
@@ -101,7 +111,7 @@ void Simulation::solve(Frame& frame, const ContactSolver& solver) {
       kept.push_back(frame.points[i]);
     frame.points = std::move(kept);
   }
-  frame.links = link_contacts(frame.points, system_.mu, frame.kinematics, system_.handles);
+  frame.links = link_contacts(frame.points, system_->mu, frame.kinematics, system_->handles);
   frame.contacts = stepping_.composite ? composite_contacts(frame)
                                        : contact_problem(frame.links, dynamics_.handle_dynamics(),
                                                          stepping_.dt, stepping_.correction);
@@ -114,7 +124,7 @@ void Simulation::solve(Frame& frame, const ContactSolver& solver) {
 
 VectorXd Simulation::accelerations(const State& state, const Vector3d& origin,
                                    const VectorXd& forces) {
-  dynamics_.assemble(kinematics_of(state, origin), no_torques_, system_.gravity);
+  dynamics_.assemble(kinematics_of(state, origin), no_torques_, system_->gravity);
   return dynamics_.disassemble(forces).joints;
 }
 
@@ -122,22 +132,22 @@ void Simulation::move_by_runge_kutta(const VectorXd& first_stage, const Vector3d
                                      const VectorXd& forces) {
   const double dt = stepping_.dt;
   VectorXd u_rate = first_stage;
-  VectorXd q_rate = coordinate_rates(system_.model, state_.q, state_.u);
+  VectorXd q_rate = coordinate_rates(system_->model, state_.q, state_.u);
   VectorXd u_sum = u_rate, q_sum = q_rate;
   for (const auto& [share, weight] : {std::pair(0.5, 2.0), {0.5, 2.0}, {1.0, 1.0}}) {
     State stage{state_.q + share * dt * q_rate, state_.u + share * dt * u_rate,
                 state_.time + share * dt};
-    normalise(system_.model, stage.q);
+    normalise(system_->model, stage.q);
     follow_reference(stage);
     u_rate = accelerations(stage, origin, forces);
-    q_rate = coordinate_rates(system_.model, stage.q, stage.u);
+    q_rate = coordinate_rates(system_->model, stage.q, stage.u);
     u_sum += weight * u_rate;
     q_sum += weight * q_rate;
   }
   state_.u += dt / 6 * u_sum;
   state_.q += dt / 6 * q_sum;
   state_.time += dt;
-  normalise(system_.model, state_.q);
+  normalise(system_->model, state_.q);
   follow_reference(state_);
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <functional>
+#include <memory>
 #include <stdexcept>
 
 #include "problems/contact/contact_solution.h"
@@ -16,7 +17,8 @@ struct System {
   /// What prescribed joints do at a time (s); may stay empty where there are none.
   std::function<JointMotion(double time)> reference = {};
   /// Points at which links touch; ids name bodies as body_of. Their normal velocities are filled in.
-  std::function<std::vector<ContactPoint>(const Kinematics&)> collide;
+  /// May stay empty where nothing ever touches.
+  std::function<std::vector<ContactPoint>(const Kinematics&)> collide = {};
   double mu = 0.5;                      ///< Of every contact.
   Vector3d gravity = {0, 0, -9.80665};  ///< m/s^2.
 };
@@ -31,9 +33,9 @@ struct Stepping {
 
   Scheme scheme = Scheme::paper;
   double dt = 1e-3;  ///< s.
-  ContactModel contact;
+  ContactModel contact = {};
   ReductionOptions reduction = {.method = ReductionOptions::Method::none};
-  PositionCorrection correction;
+  PositionCorrection correction = {};
   /// Contact matrices from the inertia of the composite body instead of the ADA (see
   /// CompositeBody): for systems that move as one body.
   bool composite = false;
@@ -63,10 +65,11 @@ struct SimulationBroke : std::runtime_error {
 /// Steps a system through time, with a solver in the loop. Deterministic.
 class Simulation {
  public:
-  /// Throws std::invalid_argument on a system that its parts refuse.
+  /// Throws std::invalid_argument on a system that its parts refuse, without links, or whose start
+  /// has another shape or is not finite; prescribed joints without a reference; dt not positive.
   Simulation(System system, Stepping stepping);
 
-  const System& system() const { return system_; }
+  const System& system() const { return *system_; }
   const Stepping& stepping() const { return stepping_; }
   const State& state() const { return state_; }
 
@@ -90,7 +93,8 @@ class Simulation {
   void move_by_runge_kutta(const VectorXd& first_stage, const Vector3d& origin,
                            const VectorXd& forces);
 
-  System system_;
+  /// Stays where it is when the simulation is moved: dynamics_ refers to its model.
+  std::shared_ptr<const System> system_;
   Stepping stepping_;
   State state_;
   Index number_ = 0;
