@@ -19,7 +19,8 @@ constexpr double kGapBridged = 0.01;  // s
 constexpr double kDegrees = 180 / std::numbers::pi;
 
 // Pixels.
-constexpr double kChartLeft = 90, kChartRight = 24, kTurn = 150, kGap = 18, kLane = 26, kFoot = 52;
+constexpr double kChartLeft = 90, kChartRight = 24, kAbove = 12, kTurn = 150, kGap = 18, kLane = 26,
+                 kFoot = 52;
 constexpr ScenePanels::Layout kLayout{
     .most_in_a_row = 4, .height = 260, .most_width = 260, .letters = true};
 
@@ -60,6 +61,7 @@ std::string chart_script(const LoopRun& run, std::size_t set, double top, double
     high = std::max(high, turn(run, frame));
   }
   const double margin = std::max(0.5, 0.12 * (high - low));
+  const double length = run.frames.back().time - run.frames.front().time + run.dt;
   const double width = page_width - kChartLeft - kChartRight;
   std::string out = gnuplot_margins({kChartLeft, width, top, kTurn}, page_width, page_height);
   out += fmt::format(
@@ -67,8 +69,8 @@ std::string chart_script(const LoopRun& run, std::size_t set, double top, double
 unset key
 set border 3 lc rgb '#555555'
 set tics nomirror
-set xtics autofreq format ''
-set ytics autofreq format '%g'
+set xtics nomirror autofreq format ''
+set ytics nomirror autofreq format '%g'
 set grid xtics ytics lc rgb '#e6e6e6' lt 1 lw 0.8
 set xrange [{begin:.6g}:{end:.6g}]
 set yrange [{low:.6g}:{high:.6g}]
@@ -77,16 +79,17 @@ plot DATA index {set} using 1:2 with lines lw 1.8 lc rgb '#222222', \
      DATA index {set}+1 using 1:2 with points pt 7 ps 0.6 lc rgb '#222222', \
      DATA index {set}+1 using 1:2:3 with labels offset 0,0.8 font ',12' tc rgb '#222222'
 )",
-      fmt::arg("begin", run.frames.front().time), fmt::arg("end", run.frames.back().time + run.dt),
-      fmt::arg("low", low - margin), fmt::arg("high", high + margin), fmt::arg("set", set));
+      fmt::arg("begin", run.frames.front().time - 0.012 * length),
+      fmt::arg("end", run.frames.back().time + 0.012 * length), fmt::arg("low", low - margin),
+      fmt::arg("high", high + margin), fmt::arg("set", set));
   std::string lanes;
   for (std::size_t h = 0; h < names.size(); ++h)
     lanes += fmt::format("{}'{}' {}", h ? ", " : "", names[h], h);
   const double height = kLane * static_cast<double>(names.size());
   out += gnuplot_margins({kChartLeft, width, top + kTurn + kGap, height}, page_width, page_height);
   out += fmt::format(
-      R"(set xtics autofreq format '%g'
-set ytics ({lanes}) scale 0
+      R"(set xtics nomirror autofreq format '%g'
+set ytics nomirror ({lanes}) scale 0
 set grid noytics
 unset ylabel
 set xlabel 'time (s); bars: the foot carries force, triangles: it strikes'
@@ -146,7 +149,8 @@ void write_dance_figure(const LoopRun& run, const NamedScene& scene,
                         const std::vector<Snapshot>& snapshots, const std::filesystem::path& svg) {
   const ScenePanels panels(scene, snapshots, kLayout);
   const double lanes = kLane * static_cast<double>(run.frames.front().handle_forces.size());
-  const double width = panels.width(), height = panels.height() + kTurn + kGap + lanes + kFoot;
+  const double width = panels.width(),
+               height = panels.height() + kAbove + kTurn + kGap + lanes + kFoot;
   const std::size_t sets = ScenePanels::sets_per_panel * snapshots.size();
   replace_file(std::filesystem::path(svg).replace_extension(".csv").string(), dance_csv(run));
   draw_with_gnuplot(svg,
@@ -154,7 +158,7 @@ void write_dance_figure(const LoopRun& run, const NamedScene& scene,
                      .width = width,
                      .height = height,
                      .commands = panels.script(width, height) +
-                                 chart_script(run, sets, panels.height(), width, height),
+                                 chart_script(run, sets, panels.height() + kAbove, width, height),
                      .data = panels.data() + chart_data(run, snapshots)});
 }
 

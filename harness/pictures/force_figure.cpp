@@ -77,11 +77,11 @@ faint(k) = 0xa0000000 + colour(k)
 set border 3 lc rgb '#555555'
 set tics nomirror
 set grid xtics ytics lc rgb '#e6e6e6' lt 1 lw 0.8
-set key outside above horizontal right samplen 2.5 noenhanced
+set key at graph 1,1.02 bottom right horizontal samplen 2.5 noenhanced
 set xrange [{:.6g}:{:.6g}]
 set ylabel 'vertical force (N)'
 )",
-      forces.front().time, forces.back().time);
+      forces.front().time, 2 * forces.back().time - forces[forces.size() - 2].time);
   out += gnuplot_margins({kLeft, width, kLegend, kPanel}, kWidth, page_height);
   out +=
       fmt::format("set format x ''\nset yrange [0:{:.6g}]\nplot ", axis_end(single, largest_mean));
@@ -91,8 +91,8 @@ set ylabel 'vertical force (N)'
   for (std::size_t h = 0; h < names.size(); ++h)
     out += fmt::format(", \\\n     DATA using 1:{} with lines lw 2 lc rgb colour({}) title '{}'",
                        6 + 2 * h, h, names[h]);
-  out +=
-      "\n" + gnuplot_margins({kLeft, width, kLegend + kPanel + kGap, kPanel}, kWidth, page_height);
+  out += '\n';
+  out += gnuplot_margins({kLeft, width, kLegend + kPanel + kGap, kPanel}, kWidth, page_height);
   out += fmt::format(
       R"(set format x '%g'
 set xlabel 'time (s)'

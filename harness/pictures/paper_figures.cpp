@@ -53,7 +53,8 @@ LoopRun write_figure_3(const std::filesystem::path& directory, const NamedScene&
     if (look) look(simulation, frame, record);
   };
   LoopRun run = run_in_the_loop(scene, solver, acceptance, look_twice, interrupted);
-  if (!(interrupted && !run.broken.empty())) write_dance_figure(run, scene, snapshots.taken(), directory / "fig3.svg");
+  if (!(interrupted && !run.broken.empty()))
+    write_dance_figure(run, scene, snapshots.taken(), directory / "fig3.svg");
   return run;
 }
 

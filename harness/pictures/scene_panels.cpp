@@ -190,9 +190,9 @@ std::string ScenePanels::surfaces(const Snapshot& snapshot) const {
     for (const bool edges : {false, true})
       for (std::size_t k = 0; k < corners.size(); ++k) {
         const Vector2d &a = corners[k], &b = corners[(k + 1) % corners.size()];
-        if (facet.edge[k] != edges || (b - a).norm() < 2 * line) continue;
-        add_polygon(data, stroke(a, b, line, edges ? line / 2 : -line), edges ? kEdge : colour,
-                    facet.box);
+        if (facet.edge[k] != edges || (b - a).norm() < (edges ? 0.02 : 2) * line) continue;
+        add_polygon(data, edges ? stroke(a, b, line, line / 2) : stroke(a, b, 0.4 * line, -line),
+                    edges ? kEdge : colour, facet.box);
       }
   }
   return data;
@@ -233,6 +233,7 @@ std::string ScenePanels::script(double page_width, double page_height) const {
 unset border
 unset tics
 unset key
+long(dx, dy) = dx * dx + dy * dy > {head:.5f} ** 2  # enough for an arrow's head
 set style arrow 1 head filled size {head:.5f},18 lw 4 lc rgb '#ffffff'
 set style arrow 2 head filled size {head:.5f},18 lw 1.8 lc rgb '#c8102e'
 set xrange [{:.5f}:{:.5f}]
@@ -251,8 +252,9 @@ set yrange [{:.5f}:{:.5f}]
 plot DATA index {set} using 1:2:3 with filledcurves closed fc rgb variable fs solid 1 noborder, \
      DATA index {set}+1 using 1:2 with lines lw 0.7 lc rgb '#c9c9c5', \
      DATA index {set}+2 using 1:2:3 with filledcurves closed fc rgb variable fs solid 1 noborder, \
-     DATA index {set}+3 using 1:2:($5 > 0 ? $3 : NaN):4 with vectors arrowstyle 1, \
-     DATA index {set}+3 using 1:2:($5 > 0 ? $3 : NaN):4 with vectors arrowstyle 2, \
+     DATA index {set}+3 using 1:2:(long($3,$4) ? $3 : NaN):4 with vectors arrowstyle 1, \
+     DATA index {set}+3 using 1:2:(long($3,$4) ? $3 : NaN):4 with vectors arrowstyle 2, \
+     DATA index {set}+3 using 1:2:(long($3,$4) ? NaN : $3):4 with vectors nohead lw 1.8 lc rgb '#c8102e', \
      DATA index {set}+3 using 1:2 with points pt 7 ps 0.5 lc rgb '#ffffff', \
      DATA index {set}+3 using 1:2:($5 > 0 ? 7 : 6) with points pt variable ps 0.45 lw 0.8 lc rgb '#c8102e'
 )",
