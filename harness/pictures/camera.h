@@ -17,7 +17,7 @@ struct Camera {
     const Vector3d away(std::cos(azimuth), std::sin(azimuth), 0);
     return {{-away.y(), away.x(), 0},
             c * Vector3d::UnitZ() - s * away,
-            {c * away + s * Vector3d::UnitZ()}};
+            c * away + s * Vector3d::UnitZ()};
   }
 
   /// Place in the picture plane, m: to the right and up.

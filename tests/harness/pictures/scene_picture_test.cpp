@@ -98,6 +98,14 @@ TEST(ScenePicture, LinksWithoutABoxAreBones) {
   EXPECT_EQ(scene_boxes(scene.setup).size(), 24u) << "20 to the children's joints, 4 at the ends";
 }
 
+TEST(ScenePicture, WhatIsFixedInTheWorldStaysWhereItIs) {
+  NamedScene scene = make_scene("squat");
+  scene.setup.boxes = {{Link::world, {0, 0, 1}, {1, 2, 3}}};
+  const auto corners = scene_boxes(scene.setup).front().corners(Snapshot{});
+  EXPECT_EQ(corners.front(), Vector3d(0, 0, 1));
+  EXPECT_EQ(corners.back(), Vector3d(1, 2, 3));
+}
+
 TEST(ScenePicture, NothingHalfWrittenRemainsWithoutGnuplot) {
   const TemporaryDirectory directory;
   const PicturedRun squat = pictured("squat", 0.03, {0.02});
