@@ -47,8 +47,8 @@ const std::vector<std::string>& eight_cells() {
       "max_nodes=3000",
       "best-first-tableau:order=lexicographic,epsilon=1e-9,e_max=1e-6,scale=on,pivot=1e-12,"
       "max_nodes=3000",
-      "best-first-lexicographic:polish=off,pivot=0,max_nodes=3000",
-      "best-first-lexicographic:polish=off,pivot=1e-12,max_nodes=3000",
+      "best-first-lexicographic:polish=off,refactor_every=1,pivot=0,max_nodes=3000",
+      "best-first-lexicographic:polish=off,refactor_every=1,pivot=1e-12,max_nodes=3000",
   };
   return all;
 }

@@ -148,7 +148,7 @@ Verb add_simulate(CLI::App& program) {
   page->footer(
       "Where the frictional LCP fails the frictionless answer acts, and where both fail none "
       "does.\n"
-      "Examples:\n"
+      "Example:\n"
       "  lcpbench simulate squat\n"
       "  lcpbench simulate squat:reduction=paper --solver lexicographic:delta=1e-8 --criterion "
       "paper\n"

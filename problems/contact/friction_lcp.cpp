@@ -78,13 +78,13 @@ Problem assemble(FrictionBlocks blocks) {
   problem.M = MatrixXd::Zero(n, n);
   problem.q = VectorXd::Zero(n);
   // [N | C]' W [N | C], where opposite directions give opposite numbers to the last bit.
+  std::vector<Eigen::Vector3d> velocities(blocks.contacts());  // of all contacts, by one unit push
   for (Index j = 0; j < velocity_rows; ++j) {
     const auto block = blocks.W.middleCols<3>(3 * columns[j].contact);
-    for (Index i = 0; i < velocity_rows; ++i) {
-      const Eigen::Vector3d velocity =
-          block.middleRows<3>(3 * columns[i].contact) * columns[j].axis;
-      problem.M(i, j) = columns[i].axis.dot(velocity);
-    }
+    for (Index k = 0; k < blocks.contacts(); ++k)
+      velocities[k] = block.middleRows<3>(3 * k) * columns[j].axis;
+    for (Index i = 0; i < velocity_rows; ++i)
+      problem.M(i, j) = columns[i].axis.dot(velocities[columns[i].contact]);
     problem.q(j) = columns[j].axis.dot(blocks.vbar.segment<3>(3 * columns[j].contact));
   }
   for (Index i = 0; i < blocks.contacts(); ++i) {

@@ -24,7 +24,7 @@ using namespace magnum;
 
 struct SquatKnobs {
   Index points = 16;
-  double drop = 0.045;
+  double drop = 0.058;
   double period = 1;
   double swing = 0.6;
   SteppingKnobs stepping;
@@ -33,14 +33,14 @@ struct SquatKnobs {
 OptionTable knob_table(SquatKnobs& knobs) {
   OptionTable own = {
       count("points", knobs.points, 8, 16, "of both soles: 8 corners, or 16 with mid-edges"),
-      real("drop", knobs.drop, 0, 0.06, "by which the centre of mass goes down, m"),
+      real("drop", knobs.drop, 0, 0.07, "by which the centre of mass goes down, m"),
       real("period", knobs.period, 0.2, 100, "of going down and up, s"),
       real("swing", knobs.swing, 0, 1.5, "of the arms to the front, rad"),
   };
   return with_stepping_knobs(std::move(own), knobs.stepping);
 }
 
-constexpr double kStandingHeight = 0.272;  // m, of the centre of mass: knees slightly bent
+constexpr double kStandingHeight = 0.300;  // m, of the centre of mass: knees slightly bent
 constexpr double kStance = 0.09;           // m, between the centres of the soles
 constexpr double kKnotSpacing = 0.005;     // s
 

@@ -5,9 +5,10 @@
 //           it, m' its column, q_min(i) the least element of q' after a pivot in row i; epsilon,
 //           e_max and totalCost as in the paper. Each node has its own basis; goal nodes are those
 //           in which z0 leaves.
-// Cost      A node opened costs one basis change: one LU and two products with n x k doubles on a
-//           factorised basis, n (n + 1) multiply-adds on a tableau, which returning to an abandoned
-//           branch repeats from where it forked. Candidates cost O(n) each, after O(n) that rules
+// Cost      A node opened costs one basis change: on a factorised basis two products with n x k doubles,
+//           and an LU every `refactor_every` nodes along a path and on every return to an abandoned
+//           branch; n (n + 1) multiply-adds on a tableau, which such a return repeats from where it
+//           forked. Candidates cost O(n) each, after O(n) that rules
 //           out the rest. The queue holds (basis, driving variable) of every node generated: n/64
 //           words each.
 // Class     The complementary path of Lemke's algorithm is among those searched (exactly tied rows
@@ -58,7 +59,7 @@ struct BestFirstOptions {
   double delta = 1e-9;
   Index max_nodes = 20000;
   bool polish = true;
-  PivotingOptions pivoting = {.pivot = 1e-12, .scale = true};
+  PivotingOptions pivoting = {.pivot = 1e-12, .scale = true, .refactor_every = 8};
 };
 
 OptionTable option_table(BestFirstOptions& options, OptionTable pivoting) {
@@ -360,7 +361,7 @@ Result solve(const Problem& problem, const BestFirstOptions& options, const Call
 }
 
 const Registration best_first{
-    {"best-first", "best-first search over pivot candidates, each basis factorised afresh, scaled",
+    {"best-first", "best-first search over pivot candidates, on a factorised basis, scaled",
      "Yamane and Nakamura 2008, III, with minus the depth as heuristic", RowInfo::Kind::pivoting,
      "2"},
     BestFirstOptions{},

@@ -115,6 +115,19 @@ double smooth_step(double share) {
   return s * s * s * (10 + s * (-15 + 6 * s));
 }
 
+double quintic(const End& from, const End& to, double duration, double time) {
+  const double T = duration, s = time / T;
+  // As a cubic of the start's derivatives plus what the end adds, in powers of s from s^3.
+  const double start = from.value + s * T * (from.rate + s * T * from.acceleration / 2);
+  const double value = to.value - from.value - T * (from.rate + T * from.acceleration / 2);
+  const double rate = T * (to.rate - from.rate - T * from.acceleration);
+  const double bend = T * T * (to.acceleration - from.acceleration);
+  const double third = 10 * value - 4 * rate + bend / 2;
+  const double fourth = -15 * value + 7 * rate - bend;
+  const double fifth = 6 * value - 3 * rate + bend / 2;
+  return start + s * s * s * (third + s * (fourth + s * fifth));
+}
+
 System on_the_floor(MotionPlan plan, bool mid_edges, double mu) {
   System system{.model = model(), .start = plan.start, .handles = {}, .collide = {}};
   system.handles = {foot(Side::left), foot(Side::right)};

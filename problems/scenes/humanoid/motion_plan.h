@@ -35,9 +35,16 @@ struct MotionPlan {
 MotionPlan plan_motion(const Model& model, const std::function<Posture(double time)>& posture,
                        double duration, double spacing);
 
-/// Quintic from 0 to 1 as `share` goes from 0 to 1, with zero rate and acceleration at both ends; 0
-/// before and 1 after.
+/// Quintic from 0 to 1 as `share` goes from 0 to 1, at rest at both ends; 0 before and 1 after.
 double smooth_step(double share);
+
+/// What a curve does at one end of a piece.
+struct End {
+  double value, rate, acceleration;
+};
+
+/// The quintic that goes from one end to the other in `duration` s, at `time` after its beginning.
+double quintic(const End& from, const End& to, double duration, double time);
 
 /// The robot on the floor z = 0, following a plan, with these points of each sole to touch it.
 System on_the_floor(MotionPlan plan, bool mid_edges, double mu);

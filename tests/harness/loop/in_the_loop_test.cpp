@@ -1,0 +1,138 @@
+#include "harness/loop/in_the_loop.h"
+
+#include <gtest/gtest.h>
+
+#include "harness/loop/summary.h"
+
+namespace lcp {
+namespace {
+
+constexpr double kShort = 0.02;  // s: some frames in the air, then contact
+
+LoopRun short_squat(const std::string& solver, const Acceptance& acceptance = {},
+                    const FrameLook& look = {}) {
+  NamedScene scene = make_scene("squat:points=8");
+  scene.setup.duration = kShort;
+  const std::atomic<bool> interrupted = false;
+  return run_in_the_loop(scene, make_solver(solver), acceptance, look, interrupted);
+}
+
+LoopSummary summary_of(const LoopRun& run) { return summarise(run, 6.711926, {0, 0, -9.80665}); }
+
+TEST(InTheLoop, RecordsEveryFrame) {
+  const LoopRun run = short_squat("best-first");
+  ASSERT_EQ(run.frames.size(), 20u);
+  for (std::size_t i = 0; i < run.frames.size(); ++i) {
+    EXPECT_EQ(run.frames[i].frame, static_cast<Index>(i));
+    EXPECT_NEAR(run.frames[i].time, 1e-3 * static_cast<double>(i), 1e-12);
+  }
+  const FrameRecord& last = run.frames.back();
+  EXPECT_EQ(last.contacts, 8);
+  EXPECT_EQ(last.n, 8 * 10);
+  EXPECT_EQ(last.frictional, Verdict::solved);
+  EXPECT_EQ(last.applied, Applied::frictional);
+  EXPECT_LE(last.accuracy.residual, 1e-6);
+  EXPECT_EQ(last.violated, 0);
+  EXPECT_GT(last.work.nodes, 0);
+  EXPECT_GT(last.step_ns, last.frictional_ns + last.frictionless_ns);
+}
+
+TEST(InTheLoop, SameSolverSameMotion) {
+  const LoopRun a = short_squat("best-first"), b = short_squat("best-first");
+  for (std::size_t i = 0; i < a.frames.size(); ++i) {
+    EXPECT_EQ(a.frames[i].centre_of_mass, b.frames[i].centre_of_mass);
+    EXPECT_EQ(a.frames[i].work.pivots, b.frames[i].work.pivots);
+  }
+}
+
+TEST(InTheLoop, AnAnswerThatIsNotAcceptedLetsTheFrictionlessOneAct) {
+  // No answer of a sensible search passes a tolerance of 1e-300 with friction, nor without.
+  const LoopRun run = short_squat("best-first", {Acceptance::Criterion::residual, 1e-300});
+  const LoopSummary summary = summary_of(run);
+  EXPECT_GT(summary.failure, 0);
+  EXPECT_EQ(summary.failure, summary.error);
+  for (const FrameRecord& frame : run.frames) {
+    if (frame.contacts == 0 || frame.frictional == Verdict::solved) continue;
+    EXPECT_NE(frame.applied, Applied::frictional);
+    EXPECT_EQ(frame.applied == Applied::none, frame.frictionless != Verdict::solved);
+  }
+}
+
+TEST(InTheLoop, ThePapersCriterionLooksAtTheSolversOwnW) {
+  const Acceptance paper{Acceptance::Criterion::paper, 1e-3};
+  const LoopRun run = short_squat("best-first:epsilon=1e-3,e_max=1e-3,polish=off,scale=off", paper);
+  const LoopSummary summary = summary_of(run);
+  EXPECT_EQ(summary.failure, 0);
+  EXPECT_GT(summary.residual_max, 1e-6) << "the judge would have refused it";
+  for (const FrameRecord& frame : run.frames)
+    if (frame.contacts > 0) {
+      EXPECT_LE(frame.accuracy.paper_error, 1e-3);
+    }
+}
+
+TEST(InTheLoop, AMethodWithoutABasisStartsCold) {
+  const LoopRun run = short_squat("projected-gauss-seidel");
+  const LoopSummary summary = summary_of(run);
+  EXPECT_EQ(summary.restarts, summary.total_frames);
+  EXPECT_GT(summary.success, 0);
+}
+
+TEST(InTheLoop, StopsWhenInterrupted) {
+  NamedScene scene = make_scene("squat");
+  std::atomic<bool> interrupted = false;
+  const LoopRun run = run_in_the_loop(
+      scene, make_solver("best-first"), {},
+      [&](const Simulation&, const Frame& frame, const FrameRecord&) {
+        if (frame.number == 4) interrupted = true;
+      },
+      interrupted);
+  EXPECT_EQ(run.frames.size(), 5u);
+  EXPECT_EQ(run.broken, "interrupted");
+}
+
+TEST(LoopSummary, CountsAddUp) {
+  const LoopSummary summary =
+      summary_of(short_squat("lemke", {Acceptance::Criterion::paper, 1e-3}));
+  EXPECT_EQ(summary.steps, 20);
+  EXPECT_EQ(summary.success + summary.failure + summary.unsupported, summary.total_frames);
+  EXPECT_EQ(summary.no_solution + summary.cycle + summary.error, summary.failure);
+  EXPECT_LE(summary.both_failures, summary.frictionless_failures);
+}
+
+TEST(LoopSummary, ForcesMatchWeightPlusMassTimesAcceleration) {
+  NamedScene scene = make_scene("squat:points=8");
+  scene.setup.duration = 0.1;
+  const std::atomic<bool> interrupted = false;
+  LoopRun run = run_in_the_loop(scene, make_solver("best-first"), {}, {}, interrupted);
+  EXPECT_LT(summary_of(run).force_mismatch, 1e-3);
+  for (FrameRecord& frame : run.frames) frame.handle_forces.front().z() *= 1.1;
+  EXPECT_GT(summary_of(run).force_mismatch, 0.02) << "the check must be able to fail";
+}
+
+TEST(LoopSummary, SurvivesJson) {
+  const LoopSummary written = summary_of(short_squat("lemke"));
+  const LoopSummary read = nlohmann::json::parse(nlohmann::json(written).dump()).get<LoopSummary>();
+  EXPECT_EQ(nlohmann::json(read), nlohmann::json(written));
+  nlohmann::json damaged = written;
+  damaged.erase("failure");
+  EXPECT_THROW(damaged.get<LoopSummary>(), std::invalid_argument);
+}
+
+TEST(LoopSummary, CsvHasALineForEveryFrame) {
+  const LoopRun run = short_squat("best-first");
+  const std::string csv = frames_csv(run);
+  EXPECT_EQ(std::count(csv.begin(), csv.end(), '\n'), 21);
+  const auto columns = [](const std::string& line) {
+    return std::count(line.begin(), line.end(), ',');
+  };
+  std::size_t begin = 0;
+  const auto header = columns(csv.substr(0, csv.find('\n')));
+  while (begin < csv.size()) {
+    const std::size_t end = csv.find('\n', begin);
+    EXPECT_EQ(columns(csv.substr(begin, end - begin)), header);
+    begin = end + 1;
+  }
+}
+
+}  // namespace
+}  // namespace lcp
