@@ -22,7 +22,11 @@ constexpr double kDegrees = 180 / std::numbers::pi;
 constexpr double kChartLeft = 90, kChartRight = 24, kAbove = 12, kTurn = 150, kGap = 18, kLane = 26,
                  kFoot = 52;
 constexpr ScenePanels::Layout kLayout{
-    .most_in_a_row = 4, .height = 260, .most_width = 260, .letters = true};
+    .most_in_a_row = 4,
+    .height = 260,
+    .most_width = 260,
+    .letters = true,
+    .azimuth = -18};  // dancers turn left: seen from the front for longer
 
 double turn(const LoopRun& run, const FrameRecord& frame) {
   return kDegrees * (frame.yaw - run.frames.front().yaw);

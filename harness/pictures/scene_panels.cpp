@@ -16,8 +16,8 @@ namespace {
 
 using Eigen::Vector2d;
 
-constexpr double kAzimuth = -52 * std::numbers::pi / 180;  // what faces x faces right and us
-constexpr double kElevation = 14 * std::numbers::pi / 180;
+constexpr double kDegree = std::numbers::pi / 180;
+constexpr double kElevation = 14 * kDegree;
 constexpr double kShade = 0.66, kLight = 0.4;  // of a face turned away from the light; what it adds
 constexpr unsigned kFloor = 0xf5f5f3, kShadow = 0xdededb, kEdge = 0x4a5058;
 
@@ -70,7 +70,7 @@ ScenePanels::ScenePanels(const NamedScene& scene, std::vector<Snapshot> snapshot
       boxes_(scene_boxes(scene.setup)),
       snapshots_(std::move(snapshots)),
       layout_(layout),
-      camera_(Camera::from(kAzimuth, kElevation)) {
+      camera_(Camera::from(kDegree * layout.azimuth, kElevation)) {
   if (snapshots_.empty()) throw std::invalid_argument("picture: no frame to show");
   find_floor();
   find_scales();

@@ -22,6 +22,7 @@ class ScenePanels {
     double height = 300;      ///< Of a panel without its title, pixels,
     double most_width = 400;  ///< unless it became wider than this.
     bool letters = false;     ///< (a), (b), ... before the times.
+    double azimuth = -52;  ///< Where the viewer stands, degrees: what faces x faces right and us.
   };
 
   /// Throws std::invalid_argument when there is no snapshot.
