@@ -3,11 +3,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cctype>
 #include <cmath>
 #include <map>
 #include <stdexcept>
 
+#include "harness/charts/gnuplot_page.h"
 #include "harness/charts/tag_placement.h"
 
 namespace lcp {
@@ -87,13 +87,6 @@ std::vector<Panel> make_panels(const std::vector<ChartPoint>& points, double tol
   return panels;
 }
 
-/// A name from a file, made fit for a quoted string: gnuplot runs what stands between backquotes.
-std::string harmless(std::string name) {
-  for (char& c : name)
-    if (std::iscntrl(static_cast<unsigned char>(c)) || c == '\'' || c == '"' || c == '`') c = '?';
-  return name;
-}
-
 /// What depends on all panels: the list is as wide as its longest name.
 struct Page {
   explicit Page(const std::vector<Panel>& panels) {
@@ -165,26 +158,18 @@ std::string data(const std::vector<Panel>& panels) {
       "tag: x y\n";
   Numbering solvers, rows;
   for (const Panel& panel : panels) {
-    out += fmt::format("# {}\n", harmless(panel.corpus));
+    out += fmt::format("# {}\n", fit_for_gnuplot(panel.corpus));
     const std::vector<Pixels> tags = tag_positions(panel);
     for (std::size_t i = 0; i < panel.points.size(); ++i) {
       const ChartPoint& point = panel.points[i];
       out += fmt::format("{} \"{}\" {}  {}  {}  {} {}  {:.4g} {:.4g}\n", solvers(point.label) + 1,
-                         harmless(point.label), rows(point.row), data_columns(point.time_ms),
+                         fit_for_gnuplot(point.label), rows(point.row), data_columns(point.time_ms),
                          data_columns(point.residual), point.failed, point.counted, tags[i].x,
                          tags[i].y);
     }
     out += "\n\n";  // gnuplot's end of a data set
   }
   return out;
-}
-
-std::string margins(double left, double width, double top, double height, const Page& page) {
-  return fmt::format(
-      "set lmargin at screen {:.5f}\nset rmargin at screen {:.5f}\n"
-      "set tmargin at screen {:.5f}\nset bmargin at screen {:.5f}\n",
-      left / page.width(), (left + width) / page.width(), 1 - top / page.height,
-      1 - (top + height) / page.height);
 }
 
 std::string script_head(const std::string& name, double tolerance, const Page& page, int rows) {
@@ -261,7 +246,7 @@ unset ylabel
 unset border
 unset tics
 )",
-      fmt::arg("corpus", harmless(panel.corpus)), fmt::arg("counted", counted),
+      fmt::arg("corpus", fit_for_gnuplot(panel.corpus)), fmt::arg("counted", counted),
       fmt::arg("index", index), fmt::arg("x_low", panel.time_ms.low),
       fmt::arg("x_high", panel.time_ms.high), fmt::arg("y_low", panel.residual.low),
       fmt::arg("y_high", panel.residual.high), fmt::arg("x_ticks", ticks(panel.time_ms)),
@@ -301,10 +286,12 @@ std::string script(const std::vector<Panel>& panels, const std::string& name, do
   double top = 0;
   for (std::size_t i = 0; i < panels.size(); ++i) {
     const double height = panels[i].height();
-    out += fmt::format("\n# {}\n", harmless(panels[i].corpus));
-    out += margins(chart_left, chart_width, top + head, height, page);
+    out += fmt::format("\n# {}\n", fit_for_gnuplot(panels[i].corpus));
+    out +=
+        gnuplot_margins({chart_left, chart_width, top + head, height}, page.width(), page.height);
     out += script_chart(panels[i], i);
-    out += margins(list_left, page.list_width(), top + head, height, page);
+    out += gnuplot_margins({list_left, page.list_width(), top + head, height}, page.width(),
+                           page.height);
     out += script_list(panels[i], i, page);
     top += head + height + foot;
   }

@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include <charconv>
 #include <memory>
 #include <optional>
 
@@ -7,7 +8,9 @@
 #include "harness/cli/quantity.h"
 #include "harness/cli/verbs.h"
 #include "harness/loop/summary.h"
+#include "harness/pictures/scene_picture.h"
 #include "harness/progress.h"
+#include "problems/io/errors.h"
 #include "problems/io/replace_file.h"
 #include "problems/scenes/dump.h"
 
@@ -21,7 +24,8 @@ struct SimulateArguments {
   std::string duration, dt;
   std::string criterion = "residual";
   std::optional<double> tolerance;
-  std::string dump, log;
+  std::string dump, log, picture;
+  std::vector<std::string> at;
   bool json = false;
 };
 
@@ -36,11 +40,45 @@ Acceptance acceptance_of(const SimulateArguments& arguments) {
   return acceptance;
 }
 
+/// Times at which to draw, s.
+std::vector<double> picture_times(const std::vector<std::string>& at, double duration) {
+  if (at.empty()) return evenly_spread(duration, 3);
+  std::vector<double> times;
+  for (const std::string& text : at) {
+    double time = 0;
+    const char* end = text.data() + text.size();
+    const auto [stop, error] = std::from_chars(text.data(), end, time);
+    if (error != std::errc() || stop != end)
+      throw std::invalid_argument(
+          fmt::format("--at {}: expected numbers of seconds with commas between", text));
+    times.push_back(time);
+  }
+  return times;
+}
+
+/// Refuses a picture that could not be written when the simulation is over.
+void check_picture(const std::string& picture) {
+  const std::filesystem::path path(picture);
+  if (path.extension() != ".svg")
+    throw std::invalid_argument(fmt::format("--picture {}: expected a name in .svg", picture));
+  const std::filesystem::path directory = std::filesystem::absolute(path).parent_path();
+  if (!std::filesystem::is_directory(directory))
+    throw UnwritableOutput(fmt::format("{}: cannot write: no such directory", picture));
+}
+
 int simulate(const SimulateArguments& arguments) {
   NamedScene scene = make_scene(arguments.scene);
   if (!arguments.duration.empty()) scene.setup.duration = seconds(arguments.duration, "--duration");
   if (!arguments.dt.empty()) scene.setup.stepping.dt = seconds(arguments.dt, "--dt");
   const NamedSolver solver = make_solver(arguments.solver);
+  if (!arguments.at.empty() && arguments.picture.empty())
+    throw std::invalid_argument("--at: expected --picture FILE with it");
+  std::optional<Snapshots> snapshots;
+  if (!arguments.picture.empty()) {
+    check_picture(arguments.picture);
+    snapshots.emplace(picture_times(arguments.at, scene.setup.duration), scene.setup.stepping.dt,
+                      scene.setup.duration);
+  }
   std::optional<CorpusDump> dump;
   if (!arguments.dump.empty()) dump.emplace(arguments.dump, scene.spelling, solver.spelling);
 
@@ -54,6 +92,7 @@ int simulate(const SimulateArguments& arguments) {
         scene, solver, acceptance_of(arguments),
         [&](const Simulation& simulation, const Frame& frame, const FrameRecord& record) {
           if (dump) dump->add(simulation, frame);
+          if (snapshots) snapshots->look(frame);
           bar.update({static_cast<std::size_t>(record.frame), steps, scene.spelling});
         },
         interrupted);
@@ -67,6 +106,11 @@ int simulate(const SimulateArguments& arguments) {
     fmt::print("{}\n", nlohmann::json(summary).dump(1));
   else
     fmt::print("{}", render(summary));
+  if (snapshots && !snapshots->taken().empty()) {
+    draw_picture(scene, snapshots->taken(), arguments.picture);
+    fmt::print(stderr, "{} moments are drawn in {}\n", snapshots->taken().size(),
+               arguments.picture);
+  }
   if (dump) fmt::print(stderr, "{} instances are in {}\n", dump->instances(), arguments.dump);
   return interrupted ? interrupted_by_user : done;
 }
@@ -95,6 +139,11 @@ Verb add_simulate(CLI::App& program) {
   page->add_option("--dump", arguments->dump,
                    "New directory for the LCPs of every frame, a corpus of HDF5 files");
   page->add_option("--log", arguments->log, "File for a line of CSV per frame");
+  page->add_option("--picture", arguments->picture,
+                   "File (.svg) for drawings of the scene; script and data are kept beside it");
+  page->add_option("--at", arguments->at,
+                   "Times of the drawings, s. Default: the start, the middle and the end")
+      ->delimiter(',');
   page->add_flag("--json", arguments->json, "Print the summary as JSON");
   page->footer(
       "Where the frictional LCP fails the frictionless answer acts, and where both fail none "
@@ -103,6 +152,7 @@ Verb add_simulate(CLI::App& program) {
       "  lcpbench simulate squat\n"
       "  lcpbench simulate squat:reduction=paper --solver lexicographic:delta=1e-8 --criterion "
       "paper\n"
+      "  lcpbench simulate squat --picture squat.svg --at 0,0.25,0.5\n"
       "  lcpbench simulate tap-dance --dump runs/tap --log runs/tap.csv");
   return {page, [arguments] { return simulate(*arguments); }};
 }

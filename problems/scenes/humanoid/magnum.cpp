@@ -15,7 +15,7 @@ struct Row {
   double mass;             ///< kg.
   double centre[3];        ///< Of mass, link frame, m.
   double inertia[6];       ///< xx, yy, zz, xy, xz, yz about the centre of mass, link axes, kg m^2.
-  double low[3], high[3];  ///< Box around the shapes, link frame, m.
+  double low[3], high[3];  ///< Box around the shapes, link frame, m; empty: see parts, or none.
 };
 
 constexpr double h = std::numbers::sqrt2 / 2;
@@ -24,7 +24,7 @@ constexpr double h = std::numbers::sqrt2 / 2;
 constexpr Row table[] = {
     {"body", -1, {1, 0, 0, 0, 1, 0, 0, 0, 1}, {0, 0, 0},
      2.983032, {-0.069189, 0.000422, 0.008568}, {0.012246, 0.014523, 0.011317, 8.3e-05, -0.001497, 3.8e-05},
-     {-0.172, -0.0814, -0.112}, {0.035, 0.0814, 0.15}},
+     {0, 0, 0}, {0, 0, 0}},
     {"left_shoulder_flexion", 0, {0, -1, 0, -h, 0, -h, h, 0, -h}, {-0.046, 0.069539, 0.052662},
      0.147856, {-0.00556493, 0.003484, -0.038542976}, {5.4e-05, 0.00012, 0.000126, 1e-06, -2.6e-05, -1e-06},
      {-0.0427, -0.0445, -0.1063}, {0.03, 0.0445, -0.024}},
@@ -54,7 +54,7 @@ constexpr Row table[] = {
      {0, 0, 0}, {0, 0, 0}},
     {"left_ankle_abduction", 9, {0, -1, 0, 0, 0, 1, -1, 0, 0}, {0, -0.044, 0.0065},
      0.329776, {6e-06, -0.032342, 0.02845}, {0.000568, 0.000534, 0.000236, 0, 0, -0.000112},
-     {-0.037, -0.0562, -0.014}, {0.037, 0.018, 0.102}},
+     {0, 0, 0}, {0, 0, 0}},
     {"right_shoulder_flexion", 0, {0, -1, 0, h, 0, -h, h, 0, h}, {-0.046, -0.069539, 0.052662},
      0.147856, {-0.00556493, 0.003484, 0.038542976}, {5.4e-05, 0.00012, 0.000126, 1e-06, 2.6e-05, 1e-06},
      {-0.0427, -0.0445, 0.024}, {0.03, 0.0445, 0.1063}},
@@ -84,9 +84,25 @@ constexpr Row table[] = {
      {0, 0, 0}, {0, 0, 0}},
     {"right_ankle_abduction", 19, {0, -1, 0, 0, 0, -1, 1, 0, 0}, {0, -0.044, -0.0065},
      0.329776, {6e-06, -0.032342, -0.02845}, {0.000568, 0.000534, 0.000236, 0, 0, 0.000112},
-     {-0.037, -0.0562, -0.102}, {0.037, 0.018, 0.014}},
+     {0, 0, 0}, {0, 0, 0}},
 };
 // clang-format on
+
+/// Shapes that one box would not do justice: head, chest, waist, hips and backpack; ankles and feet.
+constexpr struct {
+  Index link;
+  double low[3], high[3];
+} parts[] = {
+    {0, {-0.0729, -0.0336, 0.076}, {0.0059, 0.0336, 0.15}},
+    {0, {-0.085, -0.0814, -0.002}, {0.035, 0.0814, 0.076}},
+    {0, {-0.085, -0.064, -0.037}, {0.0084, 0.064, -0.002}},
+    {0, {-0.066, -0.0535, -0.112}, {0.006, 0.0535, -0.037}},
+    {0, {-0.172, -0.075, -0.058}, {-0.085, 0.075, 0.117}},
+    {10, {-0.018, -0.046, -0.014}, {0.018, 0.018, 0.07}},
+    {10, {-0.037, -0.0562, -0.001}, {0.037, -0.03, 0.102}},
+    {20, {-0.018, -0.046, -0.07}, {0.018, 0.018, 0.014}},
+    {20, {-0.037, -0.0562, -0.102}, {0.037, -0.03, 0.001}},
+};
 
 constexpr Index links = std::size(table);
 static_assert(links == 21);
@@ -121,6 +137,7 @@ std::vector<LinkBox> link_boxes() {
     const LinkBox box{i, vector(table[i].low), vector(table[i].high)};
     if (box.low != box.high) boxes.push_back(box);
   }
+  for (const auto& part : parts) boxes.push_back({part.link, vector(part.low), vector(part.high)});
   return boxes;
 }
 

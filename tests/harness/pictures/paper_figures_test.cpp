@@ -1,0 +1,83 @@
+#include "harness/pictures/paper_figures.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <stdexcept>
+
+#include "problems/io/errors.h"
+#include "tests/harness/pictures/pictured_run.h"
+#include "tests/harness/pictures/xml.h"
+#include "tests/harness/temporary_directory.h"
+
+namespace lcp {
+namespace {
+
+NamedScene short_squat() {
+  NamedScene scene = make_scene("squat:swing=1");
+  scene.setup.duration = 0.06;
+  return scene;
+}
+
+using WriteFigure = LoopRun (*)(const std::filesystem::path&, const NamedScene&, const NamedSolver&,
+                                const Acceptance&, const FrameLook&, const std::atomic<bool>&);
+
+const std::pair<const char*, WriteFigure> figures[] = {{"fig2", write_figure_2},
+                                                       {"fig3", write_figure_3}};
+
+TEST(PaperFigures, AreWrittenWithTheirNumbersIntoANewDirectory) {
+  const TemporaryDirectory directory;
+  const std::atomic<bool> interrupted = false;
+  for (const auto& [name, write] : figures) {
+    Index looked = 0;
+    const LoopRun run = write(
+        directory.file("figures"), short_squat(), make_solver("best-first"), {},
+        [&](const Simulation&, const Frame&, const FrameRecord&) { ++looked; }, interrupted);
+    EXPECT_EQ(looked, 60);
+    EXPECT_EQ(run.broken, "");
+    const std::string stem = directory.file("figures/") + name;
+    EXPECT_EQ(complaint_about_xml(read_text(stem + ".svg")), "");
+    const std::string csv = read_text(stem + ".csv");
+    EXPECT_EQ(std::count(csv.begin(), csv.end(), '\n'), 61);
+    EXPECT_TRUE(std::filesystem::exists(stem + ".gp"));
+    EXPECT_TRUE(std::filesystem::exists(stem + ".dat"));
+  }
+  const std::string svg = read_text(directory.file("figures/fig3.svg"));
+  for (const char* words :
+       {"(a) 0.000 s", "(h) 0.059 s", "turn (degrees)", "left foot", "right foot"})
+    EXPECT_NE(svg.find(words), std::string::npos) << words;
+}
+
+TEST(PaperFigures, InterruptedNothingIsWritten) {
+  const TemporaryDirectory directory;
+  std::atomic<bool> interrupted = false;
+  for (const auto& [name, write] : figures) {
+    interrupted = false;
+    const LoopRun run = write(
+        directory.file("figures"), short_squat(), make_solver("best-first"), {},
+        [&](const Simulation&, const Frame&, const FrameRecord& record) {
+          if (record.frame == 30) interrupted = true;
+        },
+        interrupted);
+    EXPECT_EQ(run.broken, "interrupted") << name;
+    EXPECT_TRUE(std::filesystem::is_empty(directory.file("figures"))) << name;
+  }
+}
+
+TEST(PaperFigures, RefuseASceneWithoutTwoFeetAndAPlaceThatIsNone) {
+  const TemporaryDirectory directory;
+  const std::atomic<bool> interrupted = false;
+  for (const auto& [name, write] : figures) {
+    NamedScene lame = short_squat();
+    lame.setup.system.handles.pop_back();
+    EXPECT_THROW(write(directory.path(), lame, make_solver("best-first"), {}, {}, interrupted),
+                 std::invalid_argument);
+    write_text(directory.file("in-the-way"), "");
+    EXPECT_THROW(write(directory.file("in-the-way/figures"), short_squat(),
+                       make_solver("best-first"), {}, {}, interrupted),
+                 UnwritableOutput);
+  }
+}
+
+}  // namespace
+}  // namespace lcp
