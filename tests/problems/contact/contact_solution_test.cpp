@@ -168,7 +168,9 @@ TEST_P(ActiveOnly, AsksForTheActiveContactsAndAnswersInTheRowsOfTheFullLcp) {
   ASSERT_EQ(active, (std::vector<Index>{0, 1, 3})) << "contact 3 has no friction";
   EXPECT_EQ(asked.at(1).problem.size(), 3 + 2 * 5);
   EXPECT_EQ(asked[1].call.start.has_value(), GetParam() == Start::two_step);
-  if (asked[1].call.start) EXPECT_EQ(asked[1].call.start->alpha, (std::vector<Index>{0, 1, 2}));
+  if (asked[1].call.start) {
+    EXPECT_EQ(asked[1].call.start->alpha, (std::vector<Index>{0, 1, 2}));
+  }
 
   EXPECT_EQ(solution.applied, Applied::frictional);
   ASSERT_EQ(solution.with_friction.z.size(), friction_lcp(problem, kFour).size());
