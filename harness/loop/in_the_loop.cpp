@@ -27,9 +27,8 @@ Judgement judge_by(const Acceptance& acceptance, const Problem& problem, const R
                           .active_contacts = {},
                           .sha256 = {}};
   Judgement judgement = judge(instance, result, acceptance.tolerance);
-  if (acceptance.criterion == Acceptance::Criterion::paper && result.claim == Claim::solved) {
-    const double error =
-        result.w.size() > 0 ? judgement.accuracy.paper_error : judgement.accuracy.residual_unscaled;
+  if (result.claim == Claim::solved) {
+    const double error = error_of(judgement.accuracy, acceptance.criterion);
     judgement.verdict = error <= acceptance.tolerance ? Verdict::solved : Verdict::wrong;
   }
   return judgement;

@@ -5,23 +5,11 @@
 #include <string>
 #include <vector>
 
-#include "harness/judge.h"
+#include "harness/acceptance.h"
 #include "problems/scenes/scene.h"
 #include "solvers/registry.h"
 
 namespace lcp {
-
-/// When an answer counts as solved, and so may act.
-struct Acceptance {
-  enum class Criterion {
-    residual,  ///< The judge's: natural residual (scaled) of at most `tolerance`.
-    paper,     ///< The paper's: |w - M z - q - z0 c|_inf of the solver's own w and z0 of at most
-    ///< `tolerance` (unscaled, e_max); the unscaled natural residual where it keeps no w.
-  };
-
-  Criterion criterion = Criterion::residual;
-  double tolerance = 1e-6;
-};
 
 /// What happened in one frame of a simulation. Frames without contact have none of what solvers do.
 struct FrameRecord {

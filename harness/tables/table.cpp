@@ -50,13 +50,14 @@ struct Judged {
   bool trivial;
 };
 
-Judged judged(const Record& record, std::optional<double> tolerance) {
-  if (!tolerance) return {record.verdict, record.unclaimed, record.trivial};
-  const Verdict verdict = rejudge(record, *tolerance);
+Judged judged(const Record& record, const std::optional<Acceptance>& acceptance) {
+  if (!acceptance) return {record.verdict, record.unclaimed, record.trivial};
+  const Verdict verdict = rejudge(record, *acceptance);
+  if (acceptance->criterion == Acceptance::Criterion::paper) return {verdict, false, false};
   if (!record.accuracy) return {verdict, record.unclaimed, record.trivial};
   const bool claims_failure = record.claim != Claim::solved && verdict != Verdict::unsupported;
-  return {verdict, claims_failure && record.accuracy->residual <= *tolerance,
-          record.accuracy->zero_residual <= *tolerance};
+  return {verdict, claims_failure && record.accuracy->residual <= acceptance->tolerance,
+          record.accuracy->zero_residual <= acceptance->tolerance};
 }
 
 class Mean {
@@ -148,6 +149,14 @@ Verdict rejudge(const Record& record, double tolerance) {
   return residual <= record.tolerance ? Verdict::inaccurate : Verdict::wrong;
 }
 
+Verdict rejudge(const Record& record, const Acceptance& acceptance) {
+  if (acceptance.criterion == Acceptance::Criterion::residual)
+    return rejudge(record, acceptance.tolerance);
+  if (record.claim != Claim::solved || !record.accuracy) return record.verdict;
+  return error_of(*record.accuracy, acceptance.criterion) <= acceptance.tolerance ? Verdict::solved
+                                                                                  : Verdict::wrong;
+}
+
 std::map<std::string, std::string> labels(const std::vector<Record>& records) {
   std::map<std::string, std::map<std::string, std::set<std::string>>> values;  // row, option
   for (const Record& record : records)
@@ -170,15 +179,23 @@ std::map<std::string, std::string> labels(const std::vector<Record>& records) {
   return labels;
 }
 
-Table make_table(const std::vector<Record>& records, std::optional<double> tolerance) {
+namespace {
+
+/// Counts records, judged anew if `acceptance` says by what.
+Table count(const std::vector<Record>& records, const std::optional<Acceptance>& acceptance) {
   Table table;
-  if (!records.empty()) table.tolerance = tolerance.value_or(records.front().tolerance);
+  if (acceptance) {
+    table.tolerance = acceptance->tolerance;
+    table.criterion = acceptance->criterion;
+  } else if (!records.empty()) {
+    table.tolerance = records.front().tolerance;
+  }
   std::vector<std::string> corpora;
   std::set<std::string> starts;
   std::map<std::string, std::vector<Gathering>> by_corpus;
   const std::map<std::string, std::string> names = labels(records);
   for (const Record& record : records) {
-    if (!tolerance && record.tolerance != table.tolerance)
+    if (!acceptance && record.tolerance != table.tolerance)
       throw std::invalid_argument(
           fmt::format("rows were judged at {} and at {}: a tolerance is needed to compare them",
                       table.tolerance, record.tolerance));
@@ -195,12 +212,23 @@ Table make_table(const std::vector<Record>& records, std::optional<double> toler
       place->row.solver = record.solver;
       place->row.label = names.at(record.solver);
     }
-    place->add(record, judged(record, tolerance));
+    place->add(record, judged(record, acceptance));
   }
   table.start = fmt::format("{}", fmt::join(starts, ", "));
   for (const std::string& corpus : corpora)
     for (Gathering& gathering : by_corpus[corpus]) table.rows.push_back(gathering.finish());
   return table;
+}
+
+}  // namespace
+
+Table make_table(const std::vector<Record>& records, std::optional<double> tolerance) {
+  if (!tolerance) return count(records, {});
+  return count(records, Acceptance{Acceptance::Criterion::residual, *tolerance});
+}
+
+Table make_table(const std::vector<Record>& records, const Acceptance& acceptance) {
+  return count(records, acceptance);
 }
 
 }  // namespace lcp

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "harness/acceptance.h"
 #include "harness/runs/record.h"
 
 namespace lcp {
@@ -43,18 +44,27 @@ struct TableRow {
 
 struct Table {
   std::vector<TableRow> rows;  ///< By corpus, then by solver, each in order of first appearance.
-  double tolerance = 0;        ///< At which `solved` was judged, dimensionless.
-  std::string start;           ///< Of the rows; where they differ, all kinds, joined by ", ".
-  int jobs = 1;                ///< Most pairs that ran at the same time: it disturbs times.
+  double tolerance = 0;        ///< At which `solved` was judged,
+  Acceptance::Criterion criterion = Acceptance::Criterion::residual;  ///< and by what.
+  std::string start;  ///< Of the rows; where they differ, all kinds, joined by ", ".
+  int jobs = 1;       ///< Most pairs that ran at the same time: it disturbs times.
 };
 
 /// The verdict of a record at another tolerance, from its stored residual: a claim `solved` that
 /// passed at the tolerance of its run and fails at this one is `inaccurate`. Other claims keep theirs.
 Verdict rejudge(const Record& record, double tolerance);
 
+/// The verdict of a record by a criterion, from what it stores. By the paper's, a claim `solved` that
+/// fails is `wrong`.
+Verdict rejudge(const Record& record, const Acceptance& acceptance);
+
 /// Counts records; `tolerance` re-judges them, without it they are taken as judged. Throws
 /// std::invalid_argument when records were judged at different tolerances and none is given.
 Table make_table(const std::vector<Record>& records, std::optional<double> tolerance = {});
+
+/// Counts records judged anew by a criterion. The paper's knows no trivial instances: they count as
+/// success or failure like all others, and a failed claim is never `unclaimed`.
+Table make_table(const std::vector<Record>& records, const Acceptance& acceptance);
 
 enum class TableFormat { text, csv, json, latex };
 

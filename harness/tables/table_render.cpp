@@ -119,6 +119,12 @@ std::string corpus_heading(const std::vector<TableRow>& block) {
   return heading;
 }
 
+std::string meaning(Acceptance::Criterion criterion) {
+  return criterion == Acceptance::Criterion::residual
+             ? "a natural residual"
+             : "the paper's error |w - M z - q - z0 c| (unscaled)";
+}
+
 constexpr std::size_t name_width = 34;  ///< Longer names stand on a line of their own.
 constexpr std::size_t least_name_width = 4;
 constexpr int count_width = 6;
@@ -156,7 +162,7 @@ std::string text(const Table& table) {
   }
   for (const Quantity& quantity : shown)
     out += fmt::format("  {:<7} {}\n", quantity.heading, quantity.meaning);
-  out += fmt::format("Solved means a natural residual of at most {}.", table.tolerance);
+  out += fmt::format("Solved means {} of at most {}.", meaning(table.criterion), table.tolerance);
   if (table.start != "cold")
     out += fmt::format(" Start: {}; pivots before it are not counted.", table.start);
   if (table.jobs > 1)
@@ -185,6 +191,7 @@ nlohmann::ordered_json to_json(const TableRow& row, const Table& table) {
   });
   for (const auto& [verdict, number_of] : row.verdicts)
     json["verdicts"][to_string(verdict)] = number_of;
+  json["criterion"] = to_string(table.criterion);
   json["tolerance"] = table.tolerance;
   json["jobs"] = table.jobs;
   return json;
@@ -245,8 +252,11 @@ std::string column_head(const TableRow& row) {
 }
 
 std::string latex(const Table& table) {
-  std::string out = fmt::format("% natural residual at most {}, {} job{}\n", table.tolerance,
-                                table.jobs, table.jobs == 1 ? "" : "s");
+  std::string out =
+      fmt::format("% {} at most {}, {} job{}\n",
+                  table.criterion == Acceptance::Criterion::residual ? "natural residual"
+                                                                     : "|w - M z - q - z0 c|",
+                  table.tolerance, table.jobs, table.jobs == 1 ? "" : "s");
   for (const std::vector<TableRow>& block : blocks(table)) {
     out += fmt::format("% {}\n\\begin{{tabular}}{{l|{}}}\n", block.front().corpus,
                        std::string(block.size(), 'r'));
