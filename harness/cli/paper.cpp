@@ -6,7 +6,10 @@
 
 #include "harness/cli/interrupt.h"
 #include "harness/cli/verbs.h"
+#include "harness/loop/summary.h"
+#include "harness/paper/choices.h"
 #include "harness/paper/reproduce.h"
+#include "harness/pictures/paper_figures.h"
 #include "harness/progress.h"
 
 namespace lcp::cli {
@@ -14,7 +17,8 @@ namespace lcp::cli {
 namespace {
 
 struct PaperArguments {
-  int table = 0;
+  int table = 0, figure = 0;
+  bool choices = false;
   std::string format = "text";
   bool all_solvers = false;
   bool dry_run = false;
@@ -30,43 +34,105 @@ const std::map<std::string, TableFormat>& formats() {
   return all;
 }
 
+Reproduction reproduction(const PaperArguments& arguments, const std::string& name, int jobs) {
+  Reproduction how;
+  how.directory = arguments.out + "/" + name;
+  how.jobs = arguments.jobs.value_or(jobs);
+  how.note = [](const std::string& line) { fmt::print(stderr, "{}\n", line); };
+  return how;
+}
+
+int say_interrupted(const std::filesystem::path& directory) {
+  fmt::print(stderr, "interrupted: what is finished is in {}; the same command goes on\n",
+             directory.string());
+  return interrupted_by_user;
+}
+
+/// Prints what `compute` made in `how`'s directory; it hands back nothing when interrupted.
+template <class Compute>
+int print(Reproduction how, const PaperArguments& arguments, const Compute& compute) {
+  const std::atomic<bool>& interrupted = catch_interruptions();
+  decltype(compute(how, interrupted)) made;
+  {
+    ProgressBar bar;
+    how.progress = [&bar](const Progress& progress) { bar.update(progress); };
+    made = compute(how, interrupted);
+  }
+  if (!made) return say_interrupted(how.directory);
+  fmt::print("{}", render(*made, formats().at(arguments.format)));
+  std::fflush(stdout);
+  fmt::print(stderr, "all that it comes from is in {}\n", how.directory.string());
+  return done;
+}
+
 int print_table(const PaperArguments& arguments) {
   const PaperPlan plan = paper_plan(arguments.table, arguments.all_solvers);
-  Reproduction how;
-  how.directory = fmt::format("{}/table{}", arguments.out, arguments.table);
-  how.jobs = arguments.jobs.value_or(plan.jobs);
-  how.note = [](const std::string& line) { fmt::print(stderr, "{}\n", line); };
+  const Reproduction how =
+      reproduction(arguments, fmt::format("table{}", arguments.table), plan.jobs);
   if (arguments.dry_run) {
     for (const std::string& line : missing_work(plan, how)) fmt::print("{}\n", line);
     return done;
   }
+  return print(how, arguments, [&](const Reproduction& with, const std::atomic<bool>& interrupted) {
+    return reproduce(plan, with, interrupted);
+  });
+}
+
+int print_choices(const PaperArguments& arguments) {
+  return print(reproduction(arguments, "choices", 2), arguments,
+               [](const Reproduction& with, const std::atomic<bool>& interrupted) {
+                 return decide_each_way(with, std::nullopt, interrupted);
+               });
+}
+
+int draw_figure(const PaperArguments& arguments) {
+  const std::filesystem::path directory = arguments.out;
+  const NamedScene scene = make_scene(arguments.figure == 2 ? "squat" : "tap-dance");
+  const auto draw = arguments.figure == 2 ? write_figure_2 : write_figure_3;
   const std::atomic<bool>& interrupted = catch_interruptions();
-  std::optional<PaperTable> table;
+  LoopRun run;
   {
     ProgressBar bar;
-    how.progress = [&bar](const Progress& progress) { bar.update(progress); };
-    table = reproduce(plan, how, interrupted);
+    const auto steps =
+        static_cast<std::size_t>(std::lround(scene.setup.duration / scene.setup.stepping.dt));
+    const FrameLook look = [&](const Simulation&, const Frame&, const FrameRecord& record) {
+      bar.update({static_cast<std::size_t>(record.frame), steps, scene.spelling});
+    };
+    run = draw(directory, scene, make_solver("best-first"), {}, look, interrupted);
   }
-  if (!table) {
-    fmt::print(stderr, "interrupted: what is finished is in {}; the same command goes on\n",
-               how.directory.string());
-    return interrupted_by_user;
-  }
-  fmt::print("{}", render(*table, formats().at(arguments.format)));
-  fmt::print(stderr, "columns, corpus and rows are in {}\n", how.directory.string());
+  if (interrupted) return say_interrupted(directory);
+  fmt::print("{}",
+             render(summarise(run, scene.setup.system.model.mass(), scene.setup.system.gravity)));
+  std::fflush(stdout);
+  fmt::print(stderr,
+             "figure, script and data are {0}/fig{1}.svg, fig{1}.gp, fig{1}.dat and fig{1}.csv\n",
+             arguments.out, arguments.figure);
   return done;
+}
+
+int reproduce_paper(const PaperArguments& arguments) {
+  if (arguments.choices) return print_choices(arguments);
+  if (arguments.figure != 0) return draw_figure(arguments);
+  if (arguments.table != 0) return print_table(arguments);
+  throw std::invalid_argument("expected one of --table, --figure, --choices");
 }
 
 }  // namespace
 
 Verb add_paper(CLI::App& program) {
   CLI::App* page = program.add_subcommand(
-      "paper", "The paper's tables: published, in the loop and on a corpus, side by side");
+      "paper", "The paper's tables, published and measured side by side, and its figures");
   auto arguments = std::make_shared<PaperArguments>();
-  page->add_option("--table", arguments->table, "1: squat, or 2: tap-dance")
-      ->required()
-      ->check(CLI::IsMember({1, 2}));
-  // --figure belongs here: exactly one of the two is asked for.
+  CLI::Option* table = page->add_option("--table", arguments->table, "1: squat, or 2: tap-dance")
+                           ->check(CLI::IsMember({1, 2}));
+  CLI::Option* figure = page->add_option("--figure", arguments->figure,
+                                         "2: forces of the feet in squat, or 3: tap-dance in time")
+                            ->check(CLI::IsMember({2, 3}))
+                            ->excludes(table);
+  page->add_flag("--choices", arguments->choices,
+                 "What each choice that the paper leaves open does in the loop")
+      ->excludes(table)
+      ->excludes(figure);
   page->add_option("--format", arguments->format, "How it is printed")
       ->check(CLI::IsMember(&formats()))
       ->capture_default_str();
@@ -81,11 +147,12 @@ Verb add_paper(CLI::App& program) {
           "has none, 1 for table 2")
       ->check(CLI::Range(1, 1024));
   page->footer(
-      "Computes what DIR/tableN does not hold yet: an interrupted command goes on when repeated.\n"
+      "One of --table, --figure, --choices. Computes what DIR/tableN does not hold yet: an "
+      "interrupted command goes on when repeated.\n"
       "Success means the paper's criterion with e_max = 1e-3; beside it counts at residual 1e-6.\n"
       "Example:\n"
       "  lcpbench paper --table 1");
-  return {page, [arguments] { return print_table(*arguments); }};
+  return {page, [arguments] { return reproduce_paper(*arguments); }};
 }
 
 }  // namespace lcp::cli
