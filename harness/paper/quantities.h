@@ -14,7 +14,7 @@ namespace lcp {
 struct PaperQuantity {
   std::string key;                ///< In JSON and CSV, and in paper/published.json.
   std::string label;              ///< For a reader, with the unit.
-  std::string unit = {};               ///< Of the value in JSON and CSV; empty for plain numbers.
+  std::string unit = {};          ///< Of the value in JSON and CSV; empty for plain numbers.
   double scale = 1;               ///< What a reader sees is the value times this.
   const char* number = "{:.0f}";  ///< Format for a reader.
   std::function<std::optional<double>(const LoopColumn&)> in_loop;

@@ -1,0 +1,53 @@
+// `lcpbench paper` as its user meets it; what it computes is tested in tests/harness/paper.
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "tests/cli/program.h"
+#include "tests/harness/temporary_directory.h"
+
+namespace lcp {
+namespace {
+
+class Paper : public testing::Test {
+ protected:
+  Ran run(std::vector<std::string> arguments) {
+    arguments.insert(arguments.begin(), "paper");
+    return run_program(LCPBENCH, arguments, directory_.path());
+  }
+  std::string file(const std::string& name) const { return directory_.file(name); }
+
+ private:
+  TemporaryDirectory directory_;
+};
+
+TEST_F(Paper, WithoutATableOrFigureSaysWhatIsAllowed) {
+  const Ran ran = run({});
+  EXPECT_EQ(ran.status, 2);
+  EXPECT_EQ(ran.err, "lcpbench paper: expected one of --table, --figure, --choices\n");
+}
+
+TEST_F(Paper, KnowsTwoTablesAndTwoFigures) {
+  EXPECT_EQ(run({"--table", "7"}).status, 2);
+  EXPECT_EQ(run({"--figure", "1"}).status, 2);
+  EXPECT_EQ(run({"--table", "1", "--figure", "2"}).status, 2);
+  EXPECT_EQ(run({"--table", "1", "--format", "pdf"}).status, 2);
+}
+
+TEST_F(Paper, ADryRunNamesTheSimulationsAndMakesNothing) {
+  const Ran ran = run({"--table", "1", "--dry-run", "--out", "paper"});
+  EXPECT_EQ(ran.status, 0) << ran.err;
+  EXPECT_NE(ran.out.find("simulation of squat with lemke\n"), std::string::npos) << ran.out;
+  EXPECT_FALSE(std::filesystem::exists(file("paper")));
+}
+
+TEST_F(Paper, OutputThatCannotBeWrittenIsOneLineAndStatus4) {
+  write_text(file("taken"), "");
+  const Ran ran = run({"--table", "1", "--out", "taken"});
+  EXPECT_EQ(ran.status, 4) << ran.err;
+  EXPECT_EQ(std::count(ran.err.begin(), ran.err.end(), '\n'), 1) << ran.err;
+}
+
+}  // namespace
+}  // namespace lcp
