@@ -81,6 +81,7 @@ const CorpusColumn* find_column(const std::vector<CorpusColumn>& columns, const 
 
 std::size_t best_of(const std::vector<LoopColumn>& sweep) {
   const auto better = [](const LoopColumn& a, const LoopColumn& b) {
+    if (a.fell() != b.fell()) return b.fell();
     if (a.summary.success != b.summary.success) return a.summary.success > b.summary.success;
     return a.summary.pivots < b.summary.pivots;
   };

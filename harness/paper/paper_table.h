@@ -47,7 +47,8 @@ std::vector<std::string> corpora_of(const PaperTable& table);
 const CorpusColumn* find_column(const std::vector<CorpusColumn>& columns, const std::string& corpus,
                                 const std::string& solver);
 
-/// Position of the column of the sweep with most successes, with fewest pivots among equals.
+/// Position of the column of the sweep with most successes among those whose robot did not fall (on
+/// its side it has fewer contacts, which are easier), with fewest pivots among equals.
 std::size_t best_of(const std::vector<LoopColumn>& sweep);
 
 /// `text` for a terminal; `json` {"rows": [...]}, an object per column and mode with the fields of

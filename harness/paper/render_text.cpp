@@ -132,7 +132,7 @@ std::string sweep_text(const PaperTable& table) {
     }
     out += line("  delta = " + table.plan.deltas[i], i == best ? "best" : "", cells);
   }
-  return out + "Best is most successes, then fewest pivots.\n\n";
+  return out + "Best is most successes of those whose robot did not fall, then fewest pivots.\n\n";
 }
 
 /// The corpora beside the main one: other matrices of the same contacts.

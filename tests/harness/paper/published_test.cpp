@@ -6,6 +6,7 @@
 #include <stdexcept>
 
 #include "harness/paper/choices.h"
+#include "harness/paper/paper_table.h"
 #include "harness/paper/plan.h"
 #include "problems/scenes/scene.h"
 #include "solvers/registry.h"
@@ -87,6 +88,19 @@ TEST(PaperPlans, WithAllSolversHoldEveryRowOfTheRegistry) {
                                      row.info.name;
                             }))
         << row.info.name;
+}
+
+TEST(PaperTables, TheBestDeltaIsNotOneAtWhichTheRobotFell) {
+  std::vector<LoopColumn> sweep(4);
+  for (LoopColumn& column : sweep) column.summary.steps = 10;
+  sweep[0].summary.success = 5;
+  sweep[1].summary.success = 9;
+  sweep[1].summary.tilt_max = 3;
+  sweep[2].summary.success = 7;
+  sweep[2].summary.pivots = 20;
+  sweep[3].summary.success = 7;
+  sweep[3].summary.pivots = 10;
+  EXPECT_EQ(best_of(sweep), 3u);
 }
 
 TEST(Choices, AreSpelledRightAndDifferFromTheFirst) {
