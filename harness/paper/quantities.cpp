@@ -35,7 +35,8 @@ std::function<std::optional<double>(const CorpusColumn&)> on_corpus(
 
 /// The threshold of ties, where the solver has one.
 std::optional<double> delta_of(const std::string& solver) {
-  for (const Option& option : make_solver(solver).solver->options())
+  const NamedSolver named = make_solver(solver);  // which the options' getters refer to
+  for (const Option& option : named.solver->options())
     if (option.name == "delta") return std::stod(option.get());
   return std::nullopt;
 }

@@ -193,6 +193,7 @@ nlohmann::ordered_json to_json(const TableRow& row, const Table& table) {
     json["verdicts"][to_string(verdict)] = number_of;
   json["criterion"] = to_string(table.criterion);
   json["tolerance"] = table.tolerance;
+  json["start"] = table.start;
   json["jobs"] = table.jobs;
   return json;
 }
@@ -215,14 +216,15 @@ std::string quoted(const std::string& value) {
 std::string csv(const Table& table) {
   std::string out = "solver,corpus,mode";
   each_quantity([&](const Quantity& quantity) { out += fmt::format(",{}", quantity.key); });
-  out += ",tolerance,jobs\n";
+  out += ",criterion,tolerance,start,jobs\n";
   for (const TableRow& row : table.rows) {
     out += fmt::format("{},{},corpus", quoted(row.solver), quoted(row.corpus));
     each_quantity([&](const Quantity& quantity) {
       const std::optional<double> value = quantity.value(row);
       out += fmt::format(",{}", value ? shortest(*value) : "");
     });
-    out += fmt::format(",{},{}\n", table.tolerance, table.jobs);
+    out += fmt::format(",{},{},{},{}\n", to_string(table.criterion), table.tolerance,
+                       quoted(table.start), table.jobs);
   }
   return out;
 }
@@ -253,10 +255,10 @@ std::string column_head(const TableRow& row) {
 
 std::string latex(const Table& table) {
   std::string out =
-      fmt::format("% {} at most {}, {} job{}\n",
+      fmt::format("% {} at most {}, {} start, {} job{}\n",
                   table.criterion == Acceptance::Criterion::residual ? "natural residual"
                                                                      : "|w - M z - q - z0 c|",
-                  table.tolerance, table.jobs, table.jobs == 1 ? "" : "s");
+                  table.tolerance, table.start, table.jobs, table.jobs == 1 ? "" : "s");
   for (const std::vector<TableRow>& block : blocks(table)) {
     out += fmt::format("% {}\n\\begin{{tabular}}{{l|{}}}\n", block.front().corpus,
                        std::string(block.size(), 'r'));

@@ -250,6 +250,14 @@ TEST(TableRendering, TextTellsToleranceAndJobsThatDisturbTimes) {
   EXPECT_NE(text.find("4 jobs"), std::string::npos);
 }
 
+TEST(TableRendering, EveryFormatTellsTheStart) {
+  Record record = solved("c/0", "a", 0);
+  record.start = "two-step";
+  for (const TableFormat format :
+       {TableFormat::text, TableFormat::csv, TableFormat::json, TableFormat::latex})
+    EXPECT_NE(render(make_table({record}), format).find("two-step"), std::string::npos);
+}
+
 TEST(TableRendering, TextSaysWhereASolverLacksInstances) {
   const Table table =
       make_table({solved("c/0", "a", 0), solved("c/1", "a", 0), solved("c/0", "b", 0)});
