@@ -232,7 +232,8 @@ std::string render(const LoopSummary& s) {
                       1e3 * s.height_min, 1e3 * s.height_end);
   text +=
       fmt::format("  first link           {:.2f} degrees of tilt at most, {:.1f} degrees of turn\n",
-                  degrees * s.tilt_max, degrees * s.turn);
+                  degrees * s.tilt_max,
+                  std::round(10 * degrees * s.turn) / 10 + 0.0);  // + 0.0: no "-0.0"
   text += fmt::format(
       "  forces               off weight + m a by {:.3f} % of the weight at most "
       "(20 ms averages)\n",

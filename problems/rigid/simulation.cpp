@@ -36,6 +36,11 @@ Simulation::Simulation(System system, Stepping stepping)
 }
 
 void Simulation::step(const ContactSolver& solver, const std::function<void(const Frame&)>& look) {
+  const auto broke = [&] {
+    return SimulationBroke(
+        fmt::format("simulation: at {} s the bodies no longer move at finite speed", state_.time));
+  };
+  if (!state_.q.allFinite() || !state_.u.allFinite()) throw broke();
   const Vector3d origin = kinematics_of(state_, Vector3d::Zero()).pose.front().p;
   const Kinematics here = kinematics_of(state_, origin);
   dynamics_.assemble(here, no_torques_, system_->gravity);
@@ -50,6 +55,8 @@ void Simulation::step(const ContactSolver& solver, const std::function<void(cons
               .link_forces = {}};
   frame.points = contact_points(here);
   frame.points_found = static_cast<Index>(frame.points.size());
+  pose_contacts(frame);
+  if (!frame.contacts.W.allFinite() || !frame.contacts.vbar.allFinite()) throw broke();
   solve(frame, solver);
   const VectorXd first_stage = dynamics_.disassemble(frame.link_forces).joints;
   if (look) look(frame);
@@ -102,8 +109,7 @@ std::vector<ContactPoint> Simulation::contact_points(const Kinematics& k) const 
   return points;
 }
 
-void Simulation::solve(Frame& frame, const ContactSolver& solver) {
-  frame.link_forces = VectorXd::Zero(6 * system_->handles.size());
+void Simulation::pose_contacts(Frame& frame) const {
   if (frame.points.empty()) return;
   if (stepping_.reduction.method != ReductionOptions::Method::none) {
     std::vector<ContactPoint> kept;
@@ -115,9 +121,11 @@ void Simulation::solve(Frame& frame, const ContactSolver& solver) {
   frame.contacts = stepping_.composite ? composite_contacts(frame)
                                        : contact_problem(frame.links, dynamics_.handle_dynamics(),
                                                          stepping_.dt, stepping_.correction);
-  if (!frame.contacts.W.allFinite() || !frame.contacts.vbar.allFinite())
-    throw SimulationBroke(fmt::format(
-        "simulation: at {} s the bodies no longer move at finite speed", frame.state.time));
+}
+
+void Simulation::solve(Frame& frame, const ContactSolver& solver) const {
+  frame.link_forces = VectorXd::Zero(6 * system_->handles.size());
+  if (frame.points.empty()) return;
   frame.solution = solve_contacts(frame.contacts, stepping_.contact, solver);
   frame.link_forces = frame.links.J.transpose() * frame.solution.forces;  // (12)
 }

@@ -75,8 +75,8 @@ class Simulation {
 
   /// Detects and solves the contacts, hands the frame to `look` and moves the bodies by dt: contact
   /// forces act through the whole step as they are at its beginning (forces of world axes at points
-  /// fixed in the world). A contact problem that does not consist of finite numbers is not solved:
-  /// throws SimulationBroke naming the time.
+  /// fixed in the world). Throws SimulationBroke, naming the time, where the state or the contact
+  /// problem does not consist of finite numbers.
   void step(const ContactSolver& solver, const std::function<void(const Frame&)>& look = {});
 
   /// The contact problem of a frame from the composite body's inertia. Throws std::invalid_argument
@@ -88,7 +88,8 @@ class Simulation {
   void follow_reference(State& state) const;
   Kinematics kinematics_of(const State& state, const Vector3d& origin) const;
   std::vector<ContactPoint> contact_points(const Kinematics& kinematics) const;
-  void solve(Frame& frame, const ContactSolver& solver);
+  void pose_contacts(Frame& frame) const;
+  void solve(Frame& frame, const ContactSolver& solver) const;
   VectorXd accelerations(const State& state, const Vector3d& origin, const VectorXd& forces);
   void move_by_runge_kutta(const VectorXd& first_stage, const Vector3d& origin,
                            const VectorXd& forces);

@@ -111,6 +111,17 @@ TEST(Simulation, SaysWhenBodiesNoLongerMoveAtFiniteSpeed) {
   }
 }
 
+TEST(Simulation, SaysSoWithoutAnyContactToo) {
+  System system = waving_arm();
+  system.start.u(5) = std::numeric_limits<double>::max();
+  Simulation simulation(system, {.dt = 10});
+  EXPECT_THROW(
+      {
+        for (int step = 0; step < 2; ++step) simulation.step(solver_in_the_loop());
+      },
+      SimulationBroke);
+}
+
 TEST(Simulation, ShowsEachFrameAsItIsBeforeItMovesTheBodies) {
   System system = standing_box();
   system.start.u(5) = -0.3;
