@@ -134,7 +134,8 @@ std::string latex_of(const std::vector<ChoiceTable>& tables) {
     latex += " \\\\\n\\hline\n";
     for (std::size_t i = 0; i < choices().size(); ++i) {
       latex += fmt::format("{} & {}", choices()[i].what, choices()[i].way);
-      for (const Figure& figure : figures()) latex += fmt::format(" & {}", figure.text(table.columns[i]));
+      for (const Figure& figure : figures())
+        latex += fmt::format(" & {}", figure.text(table.columns[i]));
       latex += " \\\\\n";
     }
     latex += "\\end{tabular}\n";
@@ -157,6 +158,7 @@ const std::vector<Choice>& choices() {
       {"ties of cost", "oldest first, 1000 nodes", "", "best-first:ties=fifo,max_nodes=1000", {}},
       {"cost", "as printed, 1000 nodes", "", "best-first-uniform:max_nodes=1000", {}},
       {"cost grid", "1e-9", "", "best-first:cost_grid=1e-9", {}},
+      {"cost grid", "1e-12", "", "best-first:cost_grid=1e-12", {}},
       {"epsilon", "1e-6", "", "best-first:epsilon=1e-6", {}},
       {"epsilon", "1e-8", "", "best-first:epsilon=1e-8", {}},
       {"epsilon", "1e-12", "", "best-first:epsilon=1e-12", {}},

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <limits>
 
+#include "problems/contact/two_step.h"
+
 namespace lcp {
 
 namespace {
@@ -90,8 +92,11 @@ Result solve_active_only(const ContactProblem& problem, const ContactModel& mode
   Call call;
   if (model.start == ContactModel::Start::two_step) {
     call.start.emplace();
+    const std::vector<Index> independent =
+        independent_contacts(active, solution.frictionless.M, kIndependentContacts);
     for (std::size_t k = 0; k < active.size(); ++k)
-      call.start->alpha.push_back(part.friction->normal_row[k]);
+      if (std::binary_search(independent.begin(), independent.end(), active[k]))
+        call.start->alpha.push_back(part.friction->normal_row[k]);
   }
   return expanded(solver.solve(part, call), *part.friction, solution.frictional, active);
 }
@@ -129,7 +134,8 @@ ContactSolution solve_contacts(const ContactProblem& problem, const ContactModel
     const bool wants_start = model.start == ContactModel::Start::two_step;
     if (wants_start && active) {
       call.start.emplace();
-      for (const Index i : *active)
+      for (const Index i :
+           independent_contacts(*active, solution.frictionless.M, kIndependentContacts))
         call.start->alpha.push_back(solution.frictional.friction->normal_row[i]);
     }
     solution.with_friction = solver.solve(solution.frictional, call);

@@ -1,6 +1,7 @@
 #include "problems/contact/two_step.h"
 
 #include <algorithm>
+#include <numeric>
 
 #include "problems/contact/friction_lcp.h"
 
@@ -26,6 +27,29 @@ Start start_from(const std::vector<Index>& basic_contacts, const FrictionBlocks&
 
 }  // namespace
 
+std::vector<Index> independent_contacts(const std::vector<Index>& active, const MatrixXd& W_nn,
+                                        double tolerance) {
+  std::vector<Index> left = active, kept;
+  MatrixXd rest = W_nn(active, active);  // Schur complement of what is kept
+  double largest = 0;
+  while (!left.empty()) {
+    Index place;
+    const double pivot = rest.diagonal().maxCoeff(&place);
+    largest = std::max(largest, pivot);
+    if (!(pivot > tolerance * largest)) break;
+    kept.push_back(left[place]);
+    const VectorXd column = rest.col(place), row = rest.row(place);
+    rest -= column * row.transpose() / pivot;
+    left.erase(left.begin() + place);
+    std::vector<Index> others(left.size() + 1);
+    std::iota(others.begin(), others.end(), Index{0});
+    others.erase(others.begin() + place);
+    rest = rest(others, others).eval();
+  }
+  std::sort(kept.begin(), kept.end());
+  return kept;
+}
+
 TwoStep solve_two_step(const std::function<Result(const Problem&, const Call&)>& solve,
                        const Problem& problem, const Observer& observer) {
   TwoStep steps;
@@ -35,14 +59,19 @@ TwoStep solve_two_step(const std::function<Result(const Problem&, const Call&)>&
     return steps;
   }
 
-  steps.frictionless = solve(frictionless_part(problem), {});
+  const Problem frictionless = frictionless_part(problem);
+  steps.frictionless = solve(frictionless, {});
   const Result& first = steps.frictionless;
   const bool solved = first.claim == Claim::solved;
   if (solved && !first.basis) {
     steps.frictional = unsupported(problem, "two-step: the solver returns no basis to start from");
   } else {
     // The empty basis, not no start at all: a method that takes none is to say so here as well.
-    const Start start = solved ? start_from(*first.basis, *problem.friction) : Start{};
+    const Start start =
+        solved
+            ? start_from(independent_contacts(*first.basis, frictionless.M, kIndependentContacts),
+                         *problem.friction)
+            : Start{};
     steps.frictional = solve(problem, {start, observer});
   }
 

@@ -54,7 +54,7 @@ struct BestFirstOptions {
   Ties ties = Ties::deepest;
   Step0 step0 = Step0::argmin;
   Cost cost = Cost::excess;
-  double cost_grid = 1e-12;
+  double cost_grid = 1e-11;
   Order order = Order::pivot;
   double delta = 1e-9;
   Index max_nodes = 20000;

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "problems/registry.h"
 #include "solvers/registry.h"
 #include "tests/problems/contact/contact_cases.h"
@@ -48,6 +50,43 @@ SolveFunction scripted(const Result& first, std::vector<Question>& asked) {
     asked.push_back({problem.size(), call});
     return has_friction(problem) ? answer(problem, Claim::solved, {{}}, 5) : first;
   };
+}
+
+/// W_nn = J J' of normals whose answers to the body's freedoms are the rows of J.
+MatrixXd normal_matrix(const MatrixXd& J) { return J * J.transpose(); }
+
+TEST(IndependentContacts, AreAllOfThemWhereTheirRowsAreIndependent) {
+  const MatrixXd J{{1, 0, 0}, {0, 1, 0}, {1, 1, 1}};
+  EXPECT_EQ(independent_contacts({0, 2}, normal_matrix(J), 1e-8), (std::vector<Index>{0, 2}));
+  EXPECT_EQ(independent_contacts({}, normal_matrix(J), 1e-8), std::vector<Index>());
+}
+
+TEST(IndependentContacts, LeaveOutWhatRoundingAloneTellsApart) {
+  // Four corners of a box on three freedoms: J_0 - J_1 + J_2 - J_3 = 0.
+  const MatrixXd J{{1, 1, 1}, {1, 1, -1}, {1, -1, -1}, {1, -1, 1}};
+  MatrixXd W = normal_matrix(J);
+  W(3, 3) += 1e-11;  // regular now, of condition 1e12
+  const std::vector<Index> kept = independent_contacts({0, 1, 2, 3}, W, 1e-8);
+  ASSERT_EQ(kept.size(), 3u);
+  EXPECT_TRUE(std::is_sorted(kept.begin(), kept.end()));
+  EXPECT_GT(MatrixXd(W(kept, kept)).determinant(), 1);
+  EXPECT_EQ(independent_contacts({0, 1, 2, 3}, W, 1e-15).size(), 4u);
+}
+
+TEST(IndependentContacts, LeaveOutARepeatedContactAndOneThatNothingMoves) {
+  const MatrixXd J{{1, 0}, {1, 0}, {0, 0}, {0, 1}};
+  EXPECT_EQ(independent_contacts({0, 1, 2, 3}, normal_matrix(J), 1e-8), (std::vector<Index>{0, 3}));
+}
+
+TEST(TwoStep, StartsFromIndependentContactsOnly) {
+  Problem problem = two_contacts();
+  problem.M.row(problem.friction->normal_row[1]) = problem.M.row(problem.friction->normal_row[0]);
+  problem.M.col(problem.friction->normal_row[1]) = problem.M.col(problem.friction->normal_row[0]);
+  const Problem smooth = frictionless_part(problem);
+  std::vector<Question> asked;
+  solve_two_step(scripted(answer(smooth, Claim::solved, {{0, 1}}, 3), asked), problem);
+  ASSERT_EQ(asked.size(), 2u);
+  EXPECT_EQ(asked[1].call.start->alpha, std::vector<Index>{problem.friction->normal_row[0]});
 }
 
 TEST(TwoStep, StartsFromTheRowsOfTheContactsThatAreActiveWithoutFriction) {
@@ -149,13 +188,14 @@ TEST(TwoStep, IsUnsupportedWithoutFriction) {
 }
 
 TEST(TwoStep, AStartThatIsNotUsableStaysTheSolversClaim) {
-  Problem problem = two_contacts();
-  const SolveFunction solve = solver("best-first");
-  const SolveFunction all_active = [&](const Problem& each, const Call& call) {
-    return has_friction(each) ? solve(each, call) : answer(each, Claim::solved, {{0, 1}}, 0);
+  const SolveFunction refuses = [](const Problem& each, const Call& call) {
+    if (!has_friction(each)) return answer(each, Claim::solved, {{0}}, 0);
+    EXPECT_EQ(call.start->alpha.size(), 1u);
+    Result result = answer(each, Claim::singular, {}, 0);
+    result.message = "start not usable";
+    return result;
   };
-  problem.M.row(0) = problem.M.row(1);  // M_alpha,alpha is singular
-  const Result result = solve_two_step(all_active, problem).frictional;
+  const Result result = solve_two_step(refuses, two_contacts()).frictional;
   EXPECT_EQ(result.claim, Claim::singular);
   EXPECT_EQ(result.message, "start not usable");
   EXPECT_EQ(result.work.restarts, 0);
