@@ -173,6 +173,7 @@ RunReport run_into(const fs::path& directory, RunPlan plan, const Origin& origin
     settings = resume(directory, plan, std::move(settings), environment, note);
   } else {
     create(directory);
+    remove_unfinished(directory);  // of a run killed before it had a run.json
     write_json(file_of(directory, environment, true), environment);
   }
 
