@@ -168,6 +168,7 @@ const std::vector<Choice>& choices() {
        by_paper},
       {"matrix", "of the composite body", "composite=on", "best-first", {}},
       {"start", "cold", "start=cold", "best-first", {}},
+      {"start", "all active normals", "start=all-active", "best-first", {}},
       {"reduction", "none", "reduction=none", "best-first", {}},
       {"reduction", "paper", "reduction=paper", "best-first", {}},
       {"reduction", "deepest 4 of each sole", "reduction=deepest-4", "best-first", {}},

@@ -85,15 +85,22 @@ Result expanded(const Result& part, const FrictionBlocks& part_rows, const Probl
   return whole;
 }
 
+/// Contacts whose normals the frictional LCP starts from.
+std::vector<Index> start_of(const std::vector<Index>& active, const ContactModel& model,
+                            const MatrixXd& W_nn) {
+  return model.start == ContactModel::Start::all_active
+             ? active
+             : independent_contacts(active, W_nn, kIndependentContacts);
+}
+
 Result solve_active_only(const ContactProblem& problem, const ContactModel& model,
                          const std::vector<Index>& active, const ContactSolution& solution,
                          const ContactSolver& solver) {
   const Problem part = friction_lcp(subset(problem, active), model.friction);
   Call call;
-  if (model.start == ContactModel::Start::two_step) {
+  if (model.start != ContactModel::Start::cold) {
     call.start.emplace();
-    const std::vector<Index> independent =
-        independent_contacts(active, solution.frictionless.M, kIndependentContacts);
+    const std::vector<Index> independent = start_of(active, model, solution.frictionless.M);
     for (std::size_t k = 0; k < active.size(); ++k)
       if (std::binary_search(independent.begin(), independent.end(), active[k]))
         call.start->alpha.push_back(part.friction->normal_row[k]);
@@ -131,11 +138,10 @@ ContactSolution solve_contacts(const ContactProblem& problem, const ContactModel
     solution.with_friction = solve_active_only(problem, model, *active, solution, solver);
   } else {
     Call call;
-    const bool wants_start = model.start == ContactModel::Start::two_step;
+    const bool wants_start = model.start != ContactModel::Start::cold;
     if (wants_start && active) {
       call.start.emplace();
-      for (const Index i :
-           independent_contacts(*active, solution.frictionless.M, kIndependentContacts))
+      for (const Index i : start_of(*active, model, solution.frictionless.M))
         call.start->alpha.push_back(solution.frictional.friction->normal_row[i]);
     }
     solution.with_friction = solver.solve(solution.frictional, call);

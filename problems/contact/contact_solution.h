@@ -18,8 +18,11 @@ struct ContactSolver {
 /// How the LCP of a frame is posed and begun.
 struct ContactModel {
   enum class Start {
-    cold,      ///< From the empty basis.
-    two_step,  ///< From the normals that are active in the frictionless solution (IV-C).
+    cold,  ///< From the empty basis.
+    /// From the normals that are active in the frictionless solution (IV-C), those of them that are
+    /// independent (see independent_contacts).
+    two_step,
+    all_active,  ///< From all of them, be the basis singular up to rounding: there to be measured.
   };
 
   FrictionModel friction;

@@ -60,9 +60,10 @@ OptionTable with_stepping_knobs(OptionTable table, SteppingKnobs& knobs) {
   table.push_back(choice("axes", knobs.axes, {"fixed", "slip"},
                          "the first direction is the world's x, or along the slip velocity of a "
                          "sliding contact"));
-  table.push_back(choice("start", knobs.start, {"cold", "two-step"},
-                         "the frictional LCP starts from the empty basis, or from the normals that "
-                         "are active without friction"));
+  table.push_back(
+      choice("start", knobs.start, {"cold", "two-step", "all-active"},
+             "the frictional LCP starts from the empty basis, from the independent ones "
+             "of the normals that are active without friction, or from all of them"));
   table.push_back(flag("active_only", knobs.active_only,
                        "contacts inactive without friction are left out of the frictional LCP"));
   table.push_back(choice("reduction", knobs.reduction, {"none", "paper", "deepest-4"},

@@ -129,6 +129,30 @@ TEST(SolveContacts, TwoStepStartsFromTheNormalsThatAreActiveWithoutFriction) {
   EXPECT_EQ(solution.with_friction.work.restarts, 0);
 }
 
+TEST(SolveContacts, TwoStepLeavesOutDependentNormalsAndAllActiveDoesNot) {
+  // Contact 1 is contact 0 once more; a made-up first step has both in its basis.
+  ContactProblem problem = four_contacts();
+  problem.contacts[1] = problem.contacts[0];
+  for (Index k = 0; k < 3; ++k) {
+    problem.W.row(3 + k) = problem.W.row(k).eval();
+    problem.W.col(3 + k) = problem.W.col(k).eval();
+    problem.vbar(3 + k) = problem.vbar(k);
+  }
+  problem.v_before = problem.vbar;
+  for (const auto& [start, rows] :
+       {std::pair(Start::two_step, std::size_t{1}), {Start::all_active, std::size_t{2}}}) {
+    std::vector<Question> asked;
+    ContactSolver solver = scripted(asked);
+    solver.solve = [inner = solver.solve](const Problem& each, const Call& call) {
+      Result result = inner(each, call);
+      if (!has_friction(each)) result.basis = {0, 1};
+      return result;
+    };
+    solve_contacts(problem, {.friction = kFour, .start = start}, solver);
+    EXPECT_EQ(asked.at(1).call.start.value().alpha.size(), rows);
+  }
+}
+
 TEST(SolveContacts, ColdStartsFromTheEmptyBasis) {
   std::vector<Question> asked;
   const ContactSolution solution =
@@ -167,7 +191,7 @@ TEST_P(ActiveOnly, AsksForTheActiveContactsAndAnswersInTheRowsOfTheFullLcp) {
   const std::vector<Index> active = active_normals(solution);
   ASSERT_EQ(active, (std::vector<Index>{0, 1, 3})) << "contact 3 has no friction";
   EXPECT_EQ(asked.at(1).problem.size(), 3 + 2 * 5);
-  EXPECT_EQ(asked[1].call.start.has_value(), GetParam() == Start::two_step);
+  EXPECT_EQ(asked[1].call.start.has_value(), GetParam() != Start::cold);
   if (asked[1].call.start) {
     EXPECT_EQ(asked[1].call.start->alpha, (std::vector<Index>{0, 1, 2}));
   }
