@@ -1,10 +1,10 @@
 #include <fmt/format.h>
 
-#include <map>
 #include <memory>
 #include <optional>
 
 #include "harness/cli/interrupt.h"
+#include "harness/cli/table_formats.h"
 #include "harness/cli/verbs.h"
 #include "harness/loop/summary.h"
 #include "harness/paper/choices.h"
@@ -25,14 +25,6 @@ struct PaperArguments {
   std::string out = "runs/paper";
   std::optional<int> jobs;
 };
-
-const std::map<std::string, TableFormat>& formats() {
-  static const std::map<std::string, TableFormat> all = {{"text", TableFormat::text},
-                                                         {"csv", TableFormat::csv},
-                                                         {"json", TableFormat::json},
-                                                         {"latex", TableFormat::latex}};
-  return all;
-}
 
 Reproduction reproduction(const PaperArguments& arguments, const std::string& name, int jobs) {
   Reproduction how;
@@ -59,7 +51,7 @@ int print(Reproduction how, const PaperArguments& arguments, const Compute& comp
     made = compute(how, interrupted);
   }
   if (!made) return say_interrupted(how.directory);
-  fmt::print("{}", render(*made, formats().at(arguments.format)));
+  fmt::print("{}", render(*made, table_formats().at(arguments.format)));
   std::fflush(stdout);
   fmt::print(stderr, "all that it comes from is in {}\n", how.directory.string());
   return done;
@@ -134,7 +126,7 @@ Verb add_paper(CLI::App& program) {
       ->excludes(table)
       ->excludes(figure);
   page->add_option("--format", arguments->format, "How it is printed")
-      ->check(CLI::IsMember(&formats()))
+      ->check(CLI::IsMember(&table_formats()))
       ->capture_default_str();
   page->add_flag("--all-solvers", arguments->all_solvers,
                  "Also a column for every other row of the registry");

@@ -2,9 +2,9 @@
 
 #include <fmt/format.h>
 
-#include <map>
 #include <memory>
 
+#include "harness/cli/table_formats.h"
 #include "harness/cli/verbs.h"
 #include "harness/runs/run_directory.h"
 
@@ -19,14 +19,6 @@ struct TableArguments {
   std::string format = "text";
 };
 
-const std::map<std::string, TableFormat>& formats() {
-  static const std::map<std::string, TableFormat> all = {{"text", TableFormat::text},
-                                                         {"csv", TableFormat::csv},
-                                                         {"json", TableFormat::json},
-                                                         {"latex", TableFormat::latex}};
-  return all;
-}
-
 int print_table(const TableArguments& arguments) {
   const std::vector<Record> records = read_run(arguments.directory);
   const Table table =
@@ -34,7 +26,7 @@ int print_table(const TableArguments& arguments) {
           ? make_table(records, Acceptance{Acceptance::Criterion::paper,
                                            arguments.tolerance.value_or(by_paper.tolerance)})
           : make_table(records, arguments.tolerance);
-  fmt::print("{}", render(table, formats().at(arguments.format)));
+  fmt::print("{}", render(table, table_formats().at(arguments.format)));
   return done;
 }
 
@@ -54,7 +46,7 @@ Verb add_table(CLI::App& program) {
       ->check(CLI::IsMember({"residual", "paper"}))
       ->capture_default_str();
   page->add_option("--format", arguments->format, "How it is printed")
-      ->check(CLI::IsMember(&formats()))
+      ->check(CLI::IsMember(&table_formats()))
       ->capture_default_str();
   page->footer("Example:\n  lcpbench table runs/small --tolerance 1e-9 --format latex");
   return {page, [arguments] { return print_table(*arguments); }};

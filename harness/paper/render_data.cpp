@@ -3,6 +3,7 @@
 #include <nlohmann/json.hpp>
 
 #include "harness/paper/paper_table.h"
+#include "harness/tables/escaping.h"
 #include "solvers/options.h"
 
 namespace lcp {
@@ -81,10 +82,6 @@ Json sweep_of(const PaperTable& table) {
   return sweep;
 }
 
-std::string quoted(const std::string& text) {
-  return text.find(',') == std::string::npos ? text : "\"" + text + "\"";
-}
-
 /// The values of one object of the JSON, a line each.
 std::string csv_lines(const Json& object, const char* part) {
   const auto text = [&](const char* key) { return object.at(key).template get<std::string>(); };
@@ -94,9 +91,9 @@ std::string csv_lines(const Json& object, const char* part) {
     const Json& value = object.at(quantity.key);
     if (value.is_null() && !published.contains(quantity.key)) continue;
     lines += fmt::format("{},{},{},{},{},{},{},{},{},{},{},", object.at("table").get<int>(), part,
-                         text("mode"), quoted(text("corpus")), text("criterion"),
-                         shortest(object.at("tolerance").get<double>()), quoted(text("column")),
-                         quoted(text("solver")), quantity.key, quantity.unit,
+                         text("mode"), csv_quoted(text("corpus")), text("criterion"),
+                         shortest(object.at("tolerance").get<double>()), csv_quoted(text("column")),
+                         csv_quoted(text("solver")), quantity.key, quantity.unit,
                          value.is_null() ? "" : shortest(value.get<double>()));
     lines += published.contains(quantity.key)
                  ? shortest(published.at(quantity.key).get<double>()) + "\n"
@@ -105,20 +102,11 @@ std::string csv_lines(const Json& object, const char* part) {
   return lines;
 }
 
-std::string escaped(const std::string& text) {
-  std::string out;
-  for (const char c : text) {
-    if (std::string("&%$#_{}").find(c) != std::string::npos) out += '\\';
-    out += c;
-  }
-  return out;
-}
-
 std::string latex_rows(const PaperTable& table, const std::vector<std::string>& keys) {
   std::string out;
   for (const std::string& key : keys) {
     const PaperQuantity& quantity = paper_quantity(key);
-    std::string label = escaped(quantity.label);
+    std::string label = latex_escaped(quantity.label);
     if (label.starts_with("  ")) label = "\\quad " + label.substr(2);
     for (const PaperLine& line : lines_of(table, quantity)) {
       out += label + " & " + line.label;
@@ -139,7 +127,7 @@ std::string latex_sweep(const PaperTable& table) {
       fmt::format("\n% lexicographic in the loop, by threshold\n\\begin{{tabular}}{{{}}}\n",
                   std::string(keys.size(), 'r'));
   for (const std::string& key : keys)
-    out += (key == keys.front() ? "" : " & ") + escaped(paper_quantity(key).label);
+    out += (key == keys.front() ? "" : " & ") + latex_escaped(paper_quantity(key).label);
   out += " \\\\ \\hline\n";
   for (const LoopColumn& column : table.sweep) {
     for (const std::string& key : keys) {
@@ -178,7 +166,7 @@ std::string paper_latex(const PaperTable& table) {
       table.published.title, by_paper.tolerance);
   out +=
       fmt::format("\\begin{{tabular}}{{ll|{}}}\n & ", std::string(table.plan.columns.size(), 'r'));
-  for (const PaperColumn& column : table.plan.columns) out += " & " + escaped(column.heading);
+  for (const PaperColumn& column : table.plan.columns) out += " & " + latex_escaped(column.heading);
   out += " \\\\ \\hline\n" + latex_rows(table, table.plan.rows) + "\\hline\n" +
          latex_rows(table, table.plan.own_rows) + "\\end{tabular}\n";
   return out + latex_sweep(table);

@@ -89,17 +89,6 @@ fs::path file_of(const fs::path& directory, const json& environment, bool first)
          (first ? "env.json" : fmt::format("env-{}.json", environment.at("id").get<std::string>()));
 }
 
-/// What replace_file leaves beside a file when the program is killed while it writes.
-void remove_unfinished(const fs::path& directory) {
-  std::vector<fs::path> unfinished;
-  for (const fs::directory_entry& entry : fs::directory_iterator(directory))
-    if (entry.path().extension() == ".tmp") unfinished.push_back(entry.path());
-  for (const fs::path& file : unfinished) {
-    std::error_code nobody_minds;
-    fs::remove(file, nobody_minds);
-  }
-}
-
 std::vector<Record> read_rows(const fs::path& directory) {
   try {
     return read_records(directory.string());

@@ -5,6 +5,7 @@
 #include <functional>
 #include <stdexcept>
 
+#include "harness/tables/escaping.h"
 #include "harness/tables/table.h"
 #include "solvers/options.h"
 
@@ -205,35 +206,18 @@ std::string json(const Table& table) {
   return json.dump(1) + "\n";
 }
 
-/// Values in quotes where CSV asks for them (RFC 4180).
-std::string quoted(const std::string& value) {
-  if (value.find_first_of(",\"\r\n") == std::string::npos) return value;
-  std::string out = "\"";
-  for (const char c : value) out += c == '"' ? "\"\"" : std::string(1, c);
-  return out + "\"";
-}
-
 std::string csv(const Table& table) {
   std::string out = "solver,corpus,mode";
   each_quantity([&](const Quantity& quantity) { out += fmt::format(",{}", quantity.key); });
   out += ",criterion,tolerance,start,jobs\n";
   for (const TableRow& row : table.rows) {
-    out += fmt::format("{},{},corpus", quoted(row.solver), quoted(row.corpus));
+    out += fmt::format("{},{},corpus", csv_quoted(row.solver), csv_quoted(row.corpus));
     each_quantity([&](const Quantity& quantity) {
       const std::optional<double> value = quantity.value(row);
       out += fmt::format(",{}", value ? shortest(*value) : "");
     });
     out += fmt::format(",{},{},{},{}\n", to_string(table.criterion), table.tolerance,
-                       quoted(table.start), table.jobs);
-  }
-  return out;
-}
-
-std::string escaped(const std::string& text) {
-  std::string out;
-  for (const char c : text) {
-    if (std::string("&%$#_{}").find(c) != std::string::npos) out += '\\';
-    out += c;
+                       csv_quoted(table.start), table.jobs);
   }
   return out;
 }
@@ -247,7 +231,7 @@ std::string column_head(const TableRow& row) {
   while (begin <= name.size()) {
     const std::size_t end = std::min(name.find(',', begin), name.size());
     if (begin > 0) lines += "\\\\ ";
-    lines += escaped(name.substr(begin, end - begin));
+    lines += latex_escaped(name.substr(begin, end - begin));
     begin = end + 1;
   }
   return "\\begin{tabular}[b]{@{}r@{}}" + lines + "\\end{tabular}";

@@ -8,6 +8,7 @@
 #include <cstdio>
 #include <cstring>
 #include <filesystem>
+#include <vector>
 
 #include "problems/io/errors.h"
 
@@ -77,6 +78,16 @@ void replace_file(const std::string& path, std::string_view bytes) {
   file.write(bytes);
   file.rename();
   synchronise_directory_of(path);
+}
+
+void remove_unfinished(const std::filesystem::path& directory) {
+  std::vector<std::filesystem::path> unfinished;
+  for (const auto& entry : std::filesystem::recursive_directory_iterator(directory))
+    if (entry.path().extension() == ".tmp") unfinished.push_back(entry.path());
+  for (const std::filesystem::path& path : unfinished) {
+    std::error_code nobody_minds;
+    std::filesystem::remove_all(path, nobody_minds);
+  }
 }
 
 }  // namespace lcp

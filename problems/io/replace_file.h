@@ -1,5 +1,6 @@
 #pragma once
 
+#include <filesystem>
 #include <string>
 #include <string_view>
 
@@ -10,5 +11,9 @@ namespace lcp {
 /// or complete; on failure the temporary file is removed. Throws UnwritableOutput naming path and
 /// reason (no such directory, no space, no permission).
 void replace_file(const std::string& path, std::string_view bytes);
+
+/// Removes what was left anywhere below `directory` when the program was killed while it wrote:
+/// whatever ends in .tmp. Nothing else may be writing there.
+void remove_unfinished(const std::filesystem::path& directory);
 
 }  // namespace lcp

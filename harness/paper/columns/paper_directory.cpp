@@ -36,17 +36,6 @@ FileDescriptor lock(const fs::path& directory) {
   return file;
 }
 
-/// What replace_file and a dump of a killed program leave.
-void remove_unfinished(const fs::path& directory) {
-  std::vector<fs::path> unfinished;
-  for (const fs::directory_entry& entry : fs::recursive_directory_iterator(directory))
-    if (entry.path().extension() == ".tmp") unfinished.push_back(entry.path());
-  for (const fs::path& path : unfinished) {
-    std::error_code nobody_minds;
-    fs::remove_all(path, nobody_minds);
-  }
-}
-
 std::vector<json> environments(const fs::path& directory) {
   std::vector<json> found;
   for (const fs::directory_entry& entry : fs::directory_iterator(directory)) {
