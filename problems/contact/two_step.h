@@ -18,7 +18,7 @@ struct TwoStep {
 /// diagonal first, until it is at most `tolerance` times the first). Where more normals are active
 /// than the bodies have freedoms, all of them together are a singular basis that rounding in W passes
 /// off as a regular one (condition 1e11), from which pivoting rules fail. Ascending.
-/// Cost: |active|^3 / 3.
+/// Cost: O(|active|^3).
 std::vector<Index> independent_contacts(const std::vector<Index>& active, const MatrixXd& W_nn,
                                         double tolerance);
 
@@ -26,14 +26,15 @@ std::vector<Index> independent_contacts(const std::vector<Index>& active, const 
 inline constexpr double kIndependentContacts = 1e-8;
 
 /// Two-step solve of a friction LCP (25): first the frictionless LCP of the same contacts
-/// (frictionless_part), then the whole from the basis alpha = {row of a_i : a_i basic there, the independent_contacts
-/// of them}, both by `solve`, which is Solver::solve or does the same. `observer` sees the pivots of the second step.
+/// (frictionless_part), then the whole from the basis alpha = {row of a_i : a_i basic there, the
+/// independent_contacts of them}, both by `solve`, which is Solver::solve or does the same. `observer`
+/// sees the pivots of the second step.
 ///
 /// Where the first step is not claimed solved, the second starts from the empty basis, that is cold:
 /// it counts one restart more, and its message begins with `frictionless LCP: CLAIM; started cold`.
-/// A start that the solver cannot use, or a refusal of any start, stays its own claim. Where there is nothing to start from, the
-/// answer is z = 0 with the claim `unsupported`: no contact has friction, or the solver solves the
-/// first step and returns no basis, as iterative methods do.
+/// A start that the solver cannot use, or a refusal of any start, stays its own claim. Where there is
+/// nothing to start from, the answer is z = 0 with the claim `unsupported`: no contact has friction, or
+/// the solver solves the first step and returns no basis, as iterative methods do.
 ///
 /// work.frictionless_pivots are the pivots of the first step; no other work of it is counted.
 /// Source: Yamane and Nakamura 2008, IV-C.
