@@ -1,0 +1,124 @@
+#include "problems/collision/ode.h"
+
+#include <ode/ode.h>
+
+#include <algorithm>
+#include <array>
+#include <stdexcept>
+#include <tuple>
+
+namespace lcp::collision {
+
+namespace {
+
+/// Contacts of one pair that ODE is asked for; meshes have tens.
+constexpr int kContactsLimit = 1024;
+
+/// ODE's global data once, and a thread's own the first time it comes here.
+void initialise_ode() {
+  static const bool initialised = dInitODE2(0) != 0;
+  thread_local const bool allocated =
+      initialised && dAllocateODEDataForThread(dAllocateMaskAll) != 0;
+  if (!allocated) throw std::runtime_error("collision: ODE cannot be initialised");
+}
+
+/// A mesh in the form that ODE keeps pointers to.
+struct MeshData {
+  std::vector<double> vertices;
+  std::vector<dTriIndex> indices;
+  dTriMeshDataID id;
+
+  explicit MeshData(const Mesh& mesh) : id(dGeomTriMeshDataCreate()) {
+    for (const Vector3d& vertex : mesh.vertices)
+      vertices.insert(vertices.end(), vertex.begin(), vertex.end());
+    for (const auto& triangle : mesh.triangles)
+      for (const int vertex : triangle) indices.push_back(static_cast<dTriIndex>(vertex));
+    dGeomTriMeshDataBuildDouble(id, vertices.data(), 3 * sizeof(double),
+                                static_cast<int>(mesh.vertices.size()), indices.data(),
+                                static_cast<int>(indices.size()), 3 * sizeof(dTriIndex));
+  }
+  MeshData(const MeshData&) = delete;
+  MeshData& operator=(const MeshData&) = delete;
+  ~MeshData() { dGeomTriMeshDataDestroy(id); }
+};
+
+}  // namespace
+
+struct OdeGeom::Implementation {
+  Geometry geometry;
+  std::unique_ptr<MeshData> mesh;
+  dGeomID geom = nullptr;
+
+  explicit Implementation(const Geometry& made) : geometry(made) {
+    initialise_ode();
+    geom = std::visit(*this, geometry);
+    if (geom == nullptr) throw std::runtime_error("collision: ODE has no such shape");
+  }
+  Implementation(const Implementation&) = delete;
+  Implementation& operator=(const Implementation&) = delete;
+  ~Implementation() { dGeomDestroy(geom); }
+
+  dGeomID operator()(const Sphere& sphere) { return dCreateSphere(nullptr, sphere.radius); }
+  dGeomID operator()(const Capsule& capsule) {
+    return dCreateCapsule(nullptr, capsule.radius, capsule.length);
+  }
+  dGeomID operator()(const Box& box) {
+    return dCreateBox(nullptr, box.edges.x(), box.edges.y(), box.edges.z());
+  }
+  dGeomID operator()(const Cylinder& cylinder) {
+    return dCreateCylinder(nullptr, cylinder.radius, cylinder.length);
+  }
+  dGeomID operator()(const Mesh& shape) {
+    mesh = std::make_unique<MeshData>(shape);
+    return dCreateTriMesh(nullptr, mesh->id, nullptr, nullptr, nullptr);
+  }
+  template <class Other>
+  dGeomID operator()(const Other&) {
+    return nullptr;
+  }
+};
+
+OdeGeom::OdeGeom(const Geometry& geometry)
+    : implementation_(std::make_unique<Implementation>(geometry)) {}
+OdeGeom::OdeGeom(const OdeGeom& other) : OdeGeom(other.implementation_->geometry) {}
+OdeGeom& OdeGeom::operator=(const OdeGeom& other) { return *this = OdeGeom(other); }
+OdeGeom::OdeGeom(OdeGeom&&) noexcept = default;
+OdeGeom& OdeGeom::operator=(OdeGeom&&) noexcept = default;
+OdeGeom::~OdeGeom() = default;
+
+void OdeGeom::place(const Pose& pose) {
+  dMatrix3 rows = {};
+  constexpr int row_length = 4;
+  for (int i = 0; i < 3; ++i)
+    for (int j = 0; j < 3; ++j) rows[row_length * i + j] = pose.R(i, j);
+  dGeomSetRotation(implementation_->geom, rows);
+  dGeomSetPosition(implementation_->geom, pose.p.x(), pose.p.y(), pose.p.z());
+}
+
+void OdeGeom::collide(const OdeGeom& first, const OdeGeom& second, std::vector<Touch>& touches) {
+  initialise_ode();
+  std::array<dContactGeom, kContactsLimit> contacts;
+  const int count = dCollide(first.implementation_->geom, second.implementation_->geom,
+                             kContactsLimit, contacts.data(), sizeof(dContactGeom));
+  std::vector<Touch> found;
+  for (int i = 0; i < count; ++i) {
+    const dContactGeom& contact = contacts[i];
+    // Not where a mesh has a triangle without area.
+    const Vector3d normal = Vector3d(contact.normal[0], contact.normal[1], contact.normal[2]);
+    if (!(normal.norm() > 0) || !(contact.depth >= 0)) continue;
+    found.push_back({Vector3d(contact.pos[0], contact.pos[1], contact.pos[2]), normal.normalized(),
+                     contact.depth, 0});
+  }
+  const auto key = [](const Touch& touch) {
+    const Vector3d &p = touch.position, &n = touch.normal;
+    return std::tuple(-touch.depth, p.x(), p.y(), p.z(), n.x(), n.y(), n.z());
+  };
+  std::sort(found.begin(), found.end(),
+            [&](const Touch& a, const Touch& b) { return key(a) < key(b); });
+  for (std::size_t i = 0; i < found.size(); ++i) {
+    found[i].feature = static_cast<Index>(i);
+    touches.push_back(found[i]);
+  }
+}
+
+}  // namespace lcp::collision
