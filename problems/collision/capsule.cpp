@@ -15,7 +15,7 @@ constexpr double kAlong = 0.02;
 /// Stretches shorter than so many radii count as one point.
 constexpr double kStretch = 1;
 /// Depths that differ by less than this share of the radius are the same.
-constexpr double kEven = 1e-10;
+constexpr double kEven = 1e-12;
 /// Deeper between the ends of a stretch than at both by this share of the radius: a point as well.
 constexpr double kDeeper = 1e-6;
 
@@ -43,7 +43,7 @@ class AxisOnSolid {
     std::array<Touch, 2> ends{touch(start, at_start), touch(end, at_end)};
     for (const auto& [s, i] : {std::pair(start, 0), {end, 1}}) {
       const bool near = std::abs(s - deepest_at) * axis_.length() < kStretch * radius_ / 2;
-      if (near && deepest.depth > ends[i].depth + kDeeper * radius_) {
+      if (near && deepest.depth > ends[i].depth + kEven * radius_) {
         ends[i] = deepest;
         ends[i].feature = i;
       }

@@ -46,7 +46,10 @@ void capsule_on_solid(const Placed& capsule, const Placed& solid, std::vector<To
 void ring_on_solid(const Placed& ring, const Placed& solid, std::vector<Touch>& touches);
 void ring_on_ring(const Placed& first, const Placed& second, std::vector<Touch>& touches);
 
-/// Box or cylinder on cylinder.
-void convex_on_cylinder(const Placed& convex, const Placed& cylinder, std::vector<Touch>& touches);
+/// Box or cylinder on box or cylinder: in the exact direction of least overlap, the points that the
+/// faces turned to each other have in common; faces within a degree of flat are. The deepest
+/// point is as deep as the solids overlap (for overlaps much smaller than the solids).
+/// Features count the points.
+void convex_on_convex(const Placed& first, const Placed& second, std::vector<Touch>& touches);
 
 }  // namespace lcp::collision

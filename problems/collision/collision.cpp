@@ -34,10 +34,8 @@ std::pair<Rule, Collider> rule_for(const Geometry& first, const Geometry& second
   }
   if (is<Mesh>(second)) return {is<Ring>(first) ? Rule::none : Rule::ode, nullptr};
   if (is<Ring>(first)) return {Rule::own, ring_on_solid};
-  if (is<Cylinder>(second) && !is<Sphere>(first) && !is<Capsule>(first))
-    return {Rule::own, convex_on_cylinder};
-  if (is<Box>(first)) return {Rule::ode, nullptr};
-  return {Rule::own, capsule_on_solid};
+  const bool round = is<Sphere>(first) || is<Capsule>(first);
+  return {Rule::own, round ? capsule_on_solid : convex_on_convex};
 }
 
 /// Unordered.

@@ -23,13 +23,13 @@ std::vector<LinkPair> neighbours(const Model& model);
 /// |---|---|
 /// | half-space on anything | its lowest points: exact |
 /// | sphere, capsule on sphere, capsule, box, cylinder | distance along the axis: exact; 2 points where parallel |
-/// | box, cylinder on cylinder | exact separating direction; the points that the faces share |
+/// | box, cylinder on box, cylinder | exact direction of least overlap; the points that faces share |
 /// | ring on all but meshes | local minima of the distance over its segments |
-/// | box on box; mesh on all but half-spaces and rings | ODE |
+/// | mesh on all but half-spaces and rings | ODE |
 ///
-/// ODE's rules for cylinders on boxes miss 3 % of shallow overlaps, and those for cylinders on
-/// capsules and cylinders are iterations that are wrong by 1e-4 m and 1 rad at worst: hence ours.
-/// Mesh on mesh gives many points with scattered normals, by nature of triangles.
+/// ODE's own rules for cylinders on boxes miss 3 % of shallow overlaps, those for cylinders on capsules
+/// and cylinders are iterations, wrong by 1e-4 m and 1 rad at worst, and its capsules have one point
+/// however they lie. Mesh on mesh gives many points with scattered normals, by nature of triangles.
 ///
 /// One World, one thread; copies are independent.
 class World {

@@ -13,9 +13,12 @@ using Face = Convex::Face;
 /// Sine of the angle within which faces and edges count as turned to each other: about a degree.
 constexpr double kFlat = 0.02;
 /// The same, up to rounding.
-constexpr double kExactlyFlat = 1e-12;
+constexpr double kExactlyFlat = 1e-9;
 /// Depths that differ by so much, m, are the same: rounding in sizes below 10 m.
 constexpr double kSameDepth = 1e-14;
+/// Parallel lines that are deeper between the ends of their stretch by this share of the cylinders'
+/// radii have a point there as well.
+constexpr double kDeeper = 1e-6;
 
 /// Points of contact of two solids that have to go apart along `normal`, all relative to the centre of
 /// the second.
@@ -28,14 +31,8 @@ class Manifold {
   std::vector<Touch> find() {
     add(kFlat);
     // Where faces are not quite flat the points that they share need not hold the deepest.
-    const bool complete = std::any_of(touches_.begin(), touches_.end(), [&](const Touch& touch) {
-      return touch.depth >= least_.depth - kSameDepth;
-    });
-    if (!complete) {
-      const std::size_t before = touches_.size();
-      add(kExactlyFlat);
-      if (touches_.size() == before) add_above(second_.support(n()), least_.depth);
-    }
+    if (!has_deepest_) add(kExactlyFlat);
+    if (touches_.empty()) add_above(second_.support(n()), least_.depth);
     return std::move(touches_);
   }
 
@@ -50,7 +47,7 @@ class Manifold {
     } else if (lower.points.size() == 1) {
       add_above(lower.points.front(), least_.depth);
     } else if (upper.points.size() == 2 && lower.points.size() == 2) {
-      add_of_segments(upper, lower);
+      add_of_segments(upper, lower, flat);
     } else if (lower.points.size() == 2) {
       add_of_polygon(lower.points, upper.points, -n());
     } else {
@@ -62,17 +59,19 @@ class Manifold {
   void add_above(const Vector3d& top, double depth) { add(top - depth / 2 * n(), n(), depth); }
 
   void add(const Vector3d& position, const Vector3d& normal, double depth) {
+    if (depth >= least_.depth - kSameDepth) has_deepest_ = true;
     if (depth >= 0)
       touches_.push_back({position, normal, depth, static_cast<Index>(touches_.size())});
   }
 
   /// Lines on the sides of cylinders and edges of boxes: the ends of the stretch that they have in
   /// common where they are parallel, else the point where they cross, seen along the normal.
-  void add_of_segments(const Face& upper, const Face& lower) {
+  void add_of_segments(const Face& upper, const Face& lower, double flat) {
     const Vector3d &a = upper.points[0], &b = lower.points[0];
     const Vector3d u = upper.points[1] - a, v = lower.points[1] - b;
     const Vector3d crossing = u.cross(v);
     if (crossing.norm() > kFlat * u.norm() * v.norm()) {
+      if (flat > kExactlyFlat) return;  // they may not be lines that cross, but ends of such
       const double s = (b - a).cross(v).dot(crossing) / crossing.squaredNorm();
       add_above(a + std::clamp(s, 0.0, 1.0) * u + least_.depth * n(), least_.depth);
       return;
@@ -81,15 +80,16 @@ class Manifold {
     const double t0 = along(lower.points[0]), t1 = along(lower.points[1]);
     const double begin = std::max(0.0, std::min(t0, t1)), end = std::min(1.0, std::max(t0, t1));
     if (begin > end) return;
-    const std::size_t before = touches_.size();
     for (const double s : {begin, end}) add_beside(a + s * u, upper.round, b, v, lower.round);
-    const bool deepest = std::any_of(
-        touches_.begin() + static_cast<std::ptrdiff_t>(before), touches_.end(),
-        [&](const Touch& touch) { return touch.depth >= least_.depth - kSameDepth; });
-    if (!deepest && crossing.norm() > 0) {
+    const double as_deep = least_.depth - kDeeper * (upper.round + lower.round);
+    const bool deeper_between = std::none_of(touches_.begin(), touches_.end(), [&](const Touch& touch) {
+      return touch.depth >= as_deep;
+    });
+    if (deeper_between && crossing.norm() > 0) {
       const double s = (b - a).cross(v).dot(crossing) / crossing.squaredNorm();
       if (s > begin && s < end) add_above(a + s * u + least_.depth * n(), least_.depth);
     }
+    has_deepest_ = has_deepest_ || !deeper_between;
   }
 
   /// At a point of a line at `upper_round` from its cylinder's axis: the overlap is that of the axes'
@@ -156,18 +156,18 @@ class Manifold {
   Vector3d offset_;
   const Penetration& least_;
   std::vector<Touch> touches_;
+  bool has_deepest_ = false;
 };
 
 }  // namespace
 
-void convex_on_cylinder(const Placed& convex, const Placed& cylinder,
-                        std::vector<Touch>& touches) {
-  const Convex first(*convex.geometry, convex.pose.R), second(*cylinder.geometry, cylinder.pose.R);
-  const Vector3d offset = convex.pose.p - cylinder.pose.p;
-  const Penetration least = penetration(first, second, offset);
+void convex_on_convex(const Placed& first, const Placed& second, std::vector<Touch>& touches) {
+  const Convex above(*first.geometry, first.pose.R), below(*second.geometry, second.pose.R);
+  const Vector3d offset = first.pose.p - second.pose.p;
+  const Penetration least = penetration(above, below, offset);
   if (least.depth < 0) return;
-  for (Touch touch : Manifold(first, second, offset, least).find()) {
-    touch.position += cylinder.pose.p;
+  for (Touch touch : Manifold(above, below, offset, least).find()) {
+    touch.position += second.pose.p;
     touches.push_back(touch);
   }
 }

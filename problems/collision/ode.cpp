@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <mutex>
 #include <stdexcept>
 #include <tuple>
 
@@ -14,12 +15,15 @@ namespace {
 /// Contacts of one pair that ODE is asked for; meshes have tens.
 constexpr int kContactsLimit = 1024;
 
-/// ODE's global data once, and a thread's own the first time it comes here.
-void initialise_ode() {
-  static const bool initialised = dInitODE2(0) != 0;
-  thread_local const bool allocated =
-      initialised && dAllocateODEDataForThread(dAllocateMaskAll) != 0;
-  if (!allocated) throw std::runtime_error("collision: ODE cannot be initialised");
+/// Held while ODE works: as Debian builds it, all threads share the memory in which it collides
+/// meshes. Initialises it the first time.
+std::unique_lock<std::mutex> use_ode() {
+  static std::mutex mutex;
+  std::unique_lock<std::mutex> lock(mutex);
+  static const bool initialised =
+      dInitODE2(0) != 0 && dAllocateODEDataForThread(dAllocateMaskAll) != 0;
+  if (!initialised) throw std::runtime_error("collision: ODE cannot be initialised");
+  return lock;
 }
 
 /// A mesh in the form that ODE keeps pointers to.
@@ -50,13 +54,17 @@ struct OdeGeom::Implementation {
   dGeomID geom = nullptr;
 
   explicit Implementation(const Geometry& made) : geometry(made) {
-    initialise_ode();
+    const auto lock = use_ode();
     geom = std::visit(*this, geometry);
     if (geom == nullptr) throw std::runtime_error("collision: ODE has no such shape");
   }
   Implementation(const Implementation&) = delete;
   Implementation& operator=(const Implementation&) = delete;
-  ~Implementation() { dGeomDestroy(geom); }
+  ~Implementation() {
+    const auto lock = use_ode();
+    dGeomDestroy(geom);
+    mesh.reset();
+  }
 
   dGeomID operator()(const Sphere& sphere) { return dCreateSphere(nullptr, sphere.radius); }
   dGeomID operator()(const Capsule& capsule) {
@@ -87,6 +95,7 @@ OdeGeom& OdeGeom::operator=(OdeGeom&&) noexcept = default;
 OdeGeom::~OdeGeom() = default;
 
 void OdeGeom::place(const Pose& pose) {
+  const auto lock = use_ode();
   dMatrix3 rows = {};
   constexpr int row_length = 4;
   for (int i = 0; i < 3; ++i)
@@ -96,7 +105,7 @@ void OdeGeom::place(const Pose& pose) {
 }
 
 void OdeGeom::collide(const OdeGeom& first, const OdeGeom& second, std::vector<Touch>& touches) {
-  initialise_ode();
+  const auto lock = use_ode();
   std::array<dContactGeom, kContactsLimit> contacts;
   const int count = dCollide(first.implementation_->geom, second.implementation_->geom,
                              kContactsLimit, contacts.data(), sizeof(dContactGeom));

@@ -11,6 +11,8 @@ namespace {
 using Eigen::Matrix2d;
 using Eigen::Vector2d;
 
+/// Sine of the angle under which edges are parallel: rounding.
+constexpr double kParallel = 1e-12;
 /// Directions at which a great circle is looked at first.
 constexpr int kSamples = 24;
 constexpr int kRefinements = 64;
@@ -22,8 +24,12 @@ constexpr int kNewtonHalvings = 12;
 constexpr double kFlatSlope = 1e-15;
 /// How far from a direction's plane a rim may lie so that both rims are tried (cosine).
 constexpr double kEitherRim = 1e-6;
-/// A step of descent where Newton's has no minimum to go to, rad.
-constexpr double kDescent = 0.02;
+/// Longest step, rad, and least curvature, relative to the sizes, that it reckons with.
+constexpr double kLongestStep = 0.5, kLeastCurvature = 1e-3;
+/// How far from a cylinder's axis, rad, a start lies.
+constexpr double kBesideAxis = 0.05;
+/// So many of the circles' minima are starts.
+constexpr std::size_t kStarts = 4;
 
 class Search {
  public:
@@ -31,19 +37,34 @@ class Search {
       : first_(first), second_(second), offset_(offset) {}
 
   Penetration find() {
+    if (first_.is_box() && second_.is_box()) {
+      search_boxes();
+      return best_;
+    }
     for (const Convex* solid : {&first_, &second_}) {
       if (solid->is_box()) continue;
-      offer(solid->axis());
-      offer(-solid->axis());
+      for (const Vector3d& d : {Vector3d(solid->axis()), Vector3d(-solid->axis())}) {
+        offer(d);
+        // Beside the axis, where its end's rim takes part.
+        const Vector3d w = gradient(d) - solid->support(d);
+        const Vector3d down = d * d.dot(w) - w;
+        if (down.norm() > 0) {
+          const Vector3d start = (d + kBesideAxis * down.normalized()).normalized();
+          minima_.push_back({start, gradient(start).dot(start)});
+        }
+      }
     }
     for (const Convex* solid : {&first_, &second_})
       for (int i = solid->is_box() ? 0 : 2; i < 3 && !separated(); ++i)
         search_circle(solid->axes().col((i + 1) % 3),
                       solid->axes().col((i + 2) % 3));
     if (!first_.is_box() && !second_.is_box()) {
-      const std::vector<Vector3d> starts = minima_;
-      for (const Vector3d& start : starts)
-        if (!separated()) search_rims(start);
+      std::sort(minima_.begin(), minima_.end(), [](const Penetration& a, const Penetration& b) {
+        return a.depth < b.depth;
+      });
+      if (minima_.size() > kStarts) minima_.resize(kStarts);
+      for (const Penetration& start : minima_)
+        if (!separated()) search_rims(start.normal);
     }
     return best_;
   }
@@ -59,6 +80,23 @@ class Search {
   void offer(const Vector3d& d) {
     const double overlap = gradient(d).dot(d);
     if (overlap < best_.depth) best_ = {d, overlap};
+  }
+
+  /// Of two boxes no more than their faces' normals and those of pairs of edges count.
+  void search_boxes() {
+    for (const Convex* box : {&first_, &second_})
+      for (int i = 0; i < 3; ++i) offer_both(box->axes().col(i));
+    for (int i = 0; i < 3; ++i) {
+      for (int j = 0; j < 3; ++j) {
+        const Vector3d across = first_.axes().col(i).cross(second_.axes().col(j));
+        if (across.norm() > kParallel) offer_both(across.normalized());
+      }
+    }
+  }
+
+  void offer_both(const Vector3d& d) {
+    offer(d);
+    offer(-d);
   }
 
   /// A direction on a circle and the gradient there, in the circle's plane.
@@ -98,7 +136,7 @@ class Search {
         (rises ? right : left) = middle;
       }
       const Vector3d d = least.d.x() * u + least.d.y() * v;
-      minima_.push_back(d);
+      minima_.push_back({d, least.overlap()});
       offer(d);
     }
   }
@@ -134,9 +172,13 @@ class Search {
         const Vector2d across = plane.transpose() * (tangent / sine);
         curvature += solid->radius() / sine * across * across.transpose();
       }
-      const bool convex = curvature.determinant() > 0 && curvature.trace() > 0;
-      Vector2d step = -kDescent * slope.normalized();
-      if (convex) step = -curvature.inverse() * slope;
+      // With curvatures made positive a step leads down from saddles, too.
+      const Eigen::SelfAdjointEigenSolver<Matrix2d> principal(curvature);
+      const Vector2d curvatures =
+          principal.eigenvalues().cwiseAbs().cwiseMax(kLeastCurvature * size);
+      const Vector2d rates = principal.eigenvectors().transpose() * slope;
+      Vector2d step = -principal.eigenvectors() * rates.cwiseQuotient(curvatures);
+      step *= std::min(1.0, kLongestStep / step.norm());
       bool lower = false;
       for (int halving = 0; halving < kNewtonHalvings && !lower; ++halving, step /= 2) {
         const Vector3d trial = (d + plane * step).normalized();
@@ -154,7 +196,7 @@ class Search {
 
   const Convex &first_, &second_;
   Vector3d offset_;
-  std::vector<Vector3d> minima_;
+  std::vector<Penetration> minima_;
   Penetration best_{Vector3d::UnitZ(), std::numeric_limits<double>::infinity()};
 };
 

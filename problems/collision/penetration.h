@@ -43,7 +43,7 @@ struct Penetration {
   double depth = 0;  ///< m: how far; negative where the solids do not overlap (not their distance).
 };
 
-/// Two solids, one a cylinder, the first's centre at `offset` from the second's.
+/// Two solids, the first's centre at `offset` from the second's.
 ///
 /// The depth is the least over all directions d of overlap(d) = h_1(-d) + h_2(d) - offset'd, with
 /// h the support functions. Where faces or edges take part, that d is normal to an axis of either
