@@ -66,13 +66,13 @@ World::World(std::vector<Shape> shapes, std::vector<LinkPair> excluded)
     for (std::size_t j = i + 1; j < shapes_.size(); ++j) add_pair(i, j);
 
   std::map<LinkPair, Index> count;
-  for (Pair& pair : pairs_) pair.id.feature = features_per_pair * count[{pair.id.body1, pair.id.body2}]++;
+  for (Pair& pair : pairs_)
+    pair.id.feature = features_per_pair * count[{pair.id.body1, pair.id.body2}]++;
 }
 
 void World::add_pair(std::size_t i, std::size_t j) {
   const LinkPair links = sorted({shapes_[i].link, shapes_[j].link});
-  if (links.first == links.second ||
-      std::binary_search(excluded_.begin(), excluded_.end(), links))
+  if (links.first == links.second || std::binary_search(excluded_.begin(), excluded_.end(), links))
     return;
   // By kind; shapes of the same kind by link, whatever their order in the list.
   const auto key = [&](std::size_t k) {
@@ -81,10 +81,11 @@ void World::add_pair(std::size_t i, std::size_t j) {
   if (key(j) < key(i)) std::swap(i, j);
   const auto [rule, collider] = rule_for(shapes_[i].geometry, shapes_[j].geometry);
   if (rule == Rule::none)
-    throw std::invalid_argument(fmt::format(
-        "collision: shapes {} and {}: no rule for {} on {}; exclude their links, or turn a ring into "
-        "a mesh",
-        i, j, name_of(shapes_[i].geometry), name_of(shapes_[j].geometry)));
+    throw std::invalid_argument(
+        fmt::format("collision: shapes {} and {}: no rule for {} on {}; exclude their links, or "
+                    "turn a ring into "
+                    "a mesh",
+                    i, j, name_of(shapes_[i].geometry), name_of(shapes_[j].geometry)));
   if (collider == ring_on_solid && is<Ring>(shapes_[j].geometry)) std::swap(i, j);
   if (rule == Rule::ode) {
     for (const std::size_t k : {i, j}) {
@@ -104,12 +105,12 @@ void World::place(const Kinematics& kinematics) {
   for (std::size_t i = 0; i < shapes_.size(); ++i) {
     const Shape& shape = shapes_[i];
     if (shape.link >= static_cast<Index>(kinematics.pose.size()))
-      throw std::invalid_argument(fmt::format("collision: shape {}: link is {}, but there are {}", i,
-                                              shape.link, kinematics.pose.size()));
+      throw std::invalid_argument(fmt::format("collision: shape {}: link is {}, but there are {}",
+                                              i, shape.link, kinematics.pose.size()));
     Placed& placed = placed_[i];
     placed.geometry = &shape.geometry;
-    placed.pose = shape.link == Link::world ? shape.in_link
-                                            : kinematics.pose[shape.link] * shape.in_link;
+    placed.pose =
+        shape.link == Link::world ? shape.in_link : kinematics.pose[shape.link] * shape.in_link;
     if (const auto* ring = std::get_if<Ring>(&shape.geometry)) {
       placed.corners.resize(ring->corners.size());
       for (std::size_t k = 0; k < ring->corners.size(); ++k)

@@ -28,8 +28,11 @@ std::vector<LinkPair> neighbours(const Model& model);
 /// | mesh on all but half-spaces and rings | ODE |
 ///
 /// ODE's own rules for cylinders on boxes miss 3 % of shallow overlaps, those for cylinders on capsules
-/// and cylinders are iterations, wrong by 1e-4 m and 1 rad at worst, and its capsules have one point
-/// however they lie. Mesh on mesh gives many points with scattered normals, by nature of triangles.
+/// and cylinders are iterations, wrong by 1e-4 m and 1 rad at worst, its capsules have one point however
+/// they lie, and of two boxes it prefers faces to edges that are deeper: hence ours.
+///
+/// Mesh on mesh gives many points with scattered normals, in the nature of triangles; ODE keeps
+/// vertices in single precision.
 ///
 /// One World, one thread; copies are independent.
 class World {

@@ -82,9 +82,9 @@ class Manifold {
     if (begin > end) return;
     for (const double s : {begin, end}) add_beside(a + s * u, upper.round, b, v, lower.round);
     const double as_deep = least_.depth - kDeeper * (upper.round + lower.round);
-    const bool deeper_between = std::none_of(touches_.begin(), touches_.end(), [&](const Touch& touch) {
-      return touch.depth >= as_deep;
-    });
+    const bool deeper_between =
+        std::none_of(touches_.begin(), touches_.end(),
+                     [&](const Touch& touch) { return touch.depth >= as_deep; });
     if (deeper_between && crossing.norm() > 0) {
       const double s = (b - a).cross(v).dot(crossing) / crossing.squaredNorm();
       if (s > begin && s < end) add_above(a + s * u + least_.depth * n(), least_.depth);

@@ -45,7 +45,8 @@ class Below {
     const Vector3d aside = axis.cross(down);
     const bool first_is_lower = axis.dot(up_) >= 0;
     for (const bool first : {true, false}) {
-      const Vector3d centre = first ? Vector3d(solid_.pose.p - half) : Vector3d(solid_.pose.p + half);
+      const Vector3d centre =
+          first ? Vector3d(solid_.pose.p - half) : Vector3d(solid_.pose.p + half);
       const Index feature = first ? 0 : kPointsOfRim;
       add(centre + down, feature, 0);
       if (first != first_is_lower) continue;

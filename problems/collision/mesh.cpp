@@ -37,6 +37,19 @@ void add_band(Mesh& mesh, Index first, Index second, Index around) {
   }
 }
 
+/// Closes a mesh of circles along z, from the lowest one up, with fans around -pole and pole.
+void add_poles(Mesh& mesh, const Vector3d& pole, Index around) {
+  const int lower = static_cast<int>(mesh.vertices.size()), upper = lower + 1;
+  const int last = lower - static_cast<int>(around);
+  mesh.vertices.push_back(-pole);
+  mesh.vertices.push_back(pole);
+  for (Index k = 0; k < around; ++k) {
+    const int a = static_cast<int>(k), b = static_cast<int>((k + 1) % around);
+    mesh.triangles.push_back({lower, b, a});
+    mesh.triangles.push_back({upper, last + a, last + b});
+  }
+}
+
 /// Turns `u`, normal to `from`, so that it is normal to `to`, by the least rotation.
 Vector3d carried(const Vector3d& u, const Vector3d& from, const Vector3d& to) {
   return Eigen::Quaterniond::FromTwoVectors(from, to) * u;
@@ -64,11 +77,10 @@ Mesh mesh_of(const Ring& ring, Index around) {
   for (Index i = 0; i < count; ++i) {
     const double turn = twist * static_cast<double>(i) / static_cast<double>(count);
     for (Index k = 0; k < around; ++k)
-      mesh.vertices.push_back(ring.corners[i] + on_circle(u[i], tangent(i).cross(u[i]),
-                                                          ring.radius, turn, k, around));
+      mesh.vertices.push_back(
+          ring.corners[i] + on_circle(u[i], tangent(i).cross(u[i]), ring.radius, turn, k, around));
   }
-  for (Index i = 0; i < count; ++i)
-    add_band(mesh, around * i, around * ((i + 1) % count), around);
+  for (Index i = 0; i < count; ++i) add_band(mesh, around * i, around * ((i + 1) % count), around);
   return mesh;
 }
 
@@ -84,24 +96,28 @@ Mesh mesh_of(const Capsule& capsule, Index around, Index rings) {
       const double latitude =
           std::numbers::pi / 2 * static_cast<double>(up) / static_cast<double>(rings);
       for (Index k = 0; k < around; ++k)
-        mesh.vertices.push_back(
-            side * top + capsule.radius * std::sin(latitude) * Vector3d::UnitZ() +
-            on_circle(Vector3d::UnitX(), Vector3d::UnitY(), capsule.radius * std::cos(latitude), 0,
-                      k, around));
+        mesh.vertices.push_back(side * top +
+                                capsule.radius * std::sin(latitude) * Vector3d::UnitZ() +
+                                on_circle(Vector3d::UnitX(), Vector3d::UnitY(),
+                                          capsule.radius * std::cos(latitude), 0, k, around));
     }
   }
   for (Index i = 0; i + 1 < 2 * rings; ++i) add_band(mesh, around * i, around * (i + 1), around);
 
-  const int lower_pole = static_cast<int>(mesh.vertices.size()), upper_pole = lower_pole + 1;
-  const Vector3d pole = top + capsule.radius * Vector3d::UnitZ();
-  mesh.vertices.push_back(-pole);
-  mesh.vertices.push_back(pole);
-  const int last = static_cast<int>(around * (2 * rings - 1));
-  for (Index k = 0; k < around; ++k) {
-    const int a = static_cast<int>(k), b = static_cast<int>((k + 1) % around);
-    mesh.triangles.push_back({lower_pole, b, a});
-    mesh.triangles.push_back({upper_pole, last + a, last + b});
-  }
+  add_poles(mesh, top + capsule.radius * Vector3d::UnitZ(), around);
+  return mesh;
+}
+
+Mesh mesh_of(const Cylinder& cylinder, Index around) {
+  require_at_least(kLeastFacets, around, "facets around");
+  const Vector3d top(0, 0, cylinder.length / 2);
+  Mesh mesh;
+  for (const Vector3d& centre : {Vector3d(-top), top})
+    for (Index k = 0; k < around; ++k)
+      mesh.vertices.push_back(
+          centre + on_circle(Vector3d::UnitX(), Vector3d::UnitY(), cylinder.radius, 0, k, around));
+  add_band(mesh, 0, around, around);
+  add_poles(mesh, top, around);
   return mesh;
 }
 

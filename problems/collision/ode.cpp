@@ -15,6 +15,9 @@ namespace {
 /// Contacts of one pair that ODE is asked for; meshes have tens.
 constexpr int kContactsLimit = 1024;
 
+/// Around a capsule or cylinder that stands as a mesh: 0.1 % of the radius within it at most.
+constexpr Index kFacets = 64;
+
 /// Held while ODE works: as Debian builds it, all threads share the memory in which it collides
 /// meshes. Initialises it the first time.
 std::unique_lock<std::mutex> use_ode() {
@@ -68,14 +71,12 @@ struct OdeGeom::Implementation {
 
   dGeomID operator()(const Sphere& sphere) { return dCreateSphere(nullptr, sphere.radius); }
   dGeomID operator()(const Capsule& capsule) {
-    return dCreateCapsule(nullptr, capsule.radius, capsule.length);
+    return (*this)(mesh_of(capsule, kFacets, kFacets / 4));
   }
   dGeomID operator()(const Box& box) {
     return dCreateBox(nullptr, box.edges.x(), box.edges.y(), box.edges.z());
   }
-  dGeomID operator()(const Cylinder& cylinder) {
-    return dCreateCylinder(nullptr, cylinder.radius, cylinder.length);
-  }
+  dGeomID operator()(const Cylinder& cylinder) { return (*this)(mesh_of(cylinder, kFacets)); }
   dGeomID operator()(const Mesh& shape) {
     mesh = std::make_unique<MeshData>(shape);
     return dCreateTriMesh(nullptr, mesh->id, nullptr, nullptr, nullptr);

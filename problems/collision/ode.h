@@ -10,7 +10,8 @@ namespace lcp::collision {
 /// two threads at a time; copies may.
 class OdeGeom {
  public:
-  /// A sphere, capsule, box, cylinder or mesh.
+  /// A sphere, box or mesh; a capsule or cylinder as a mesh, because half the points that ODE finds of
+  /// a mesh on those themselves lie millimetres away from both.
   explicit OdeGeom(const Geometry& geometry);
   OdeGeom(const OdeGeom& other);
   OdeGeom& operator=(const OdeGeom& other);

@@ -21,7 +21,7 @@ constexpr double kSameDirection = 1e-15;
 constexpr int kNewtonSteps = 30;
 constexpr int kNewtonHalvings = 12;
 /// Slope at which Newton's method stops, relative to the sizes.
-constexpr double kFlatSlope = 1e-15;
+constexpr double kFlatSlope = 1e-12;
 /// How far from a direction's plane a rim may lie so that both rims are tried (cosine).
 constexpr double kEitherRim = 1e-6;
 /// Longest step, rad, and least curvature, relative to the sizes, that it reckons with.
@@ -56,12 +56,10 @@ class Search {
     }
     for (const Convex* solid : {&first_, &second_})
       for (int i = solid->is_box() ? 0 : 2; i < 3 && !separated(); ++i)
-        search_circle(solid->axes().col((i + 1) % 3),
-                      solid->axes().col((i + 2) % 3));
+        search_circle(solid->axes().col((i + 1) % 3), solid->axes().col((i + 2) % 3));
     if (!first_.is_box() && !second_.is_box()) {
-      std::sort(minima_.begin(), minima_.end(), [](const Penetration& a, const Penetration& b) {
-        return a.depth < b.depth;
-      });
+      std::sort(minima_.begin(), minima_.end(),
+                [](const Penetration& a, const Penetration& b) { return a.depth < b.depth; });
       if (minima_.size() > kStarts) minima_.resize(kStarts);
       for (const Penetration& start : minima_)
         if (!separated()) search_rims(start.normal);
@@ -173,7 +171,8 @@ class Search {
         curvature += solid->radius() / sine * across * across.transpose();
       }
       // With curvatures made positive a step leads down from saddles, too.
-      const Eigen::SelfAdjointEigenSolver<Matrix2d> principal(curvature);
+      Eigen::SelfAdjointEigenSolver<Matrix2d> principal;
+      principal.computeDirect(curvature);
       const Vector2d curvatures =
           principal.eigenvalues().cwiseAbs().cwiseMax(kLeastCurvature * size);
       const Vector2d rates = principal.eigenvectors().transpose() * slope;

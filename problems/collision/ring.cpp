@@ -150,8 +150,7 @@ void ring_on_solid(const Placed& ring, const Placed& solid, std::vector<Touch>& 
     if (here.distance > radius) continue;
     if (here.normal.isZero()) here.normal = segment.along().unitOrthogonal();
     const Vector3d position = segment.point(s) - (here.distance + radius) / 2 * here.normal;
-    found.push_back(
-        {i, 0, here.distance, solid.pose * position, solid.pose.R * here.normal});
+    found.push_back({i, 0, here.distance, solid.pose * position, solid.pose.R * here.normal});
   }
   add_local_minima(found, count, 1, radius, touches);
 }

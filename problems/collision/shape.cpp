@@ -51,8 +51,8 @@ struct Complaint {
     for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
       const auto& [a, b, c] = mesh.triangles[i];
       if (std::min({a, b, c}) < 0 || std::max({a, b, c}) >= count || a == b || b == c || c == a)
-        return fmt::format("triangle {} is ({}, {}, {}), expected three of the {} vertices", i, a, b,
-                           c, count);
+        return fmt::format("triangle {} is ({}, {}, {}), expected three of the {} vertices", i, a,
+                           b, c, count);
     }
     return {};
   }
@@ -96,8 +96,8 @@ void check(const Shape& shape, const std::string& where) {
   if (wrong.empty() && shape.link < Link::world)
     wrong = fmt::format("link is {}, expected -1 (the world) or more", shape.link);
   if (wrong.empty() && !shape.in_link.p.allFinite()) wrong = "place in the link is not finite";
-  if (wrong.empty() && !(R.allFinite() && R.determinant() > 0 &&
-                         (R.transpose() * R).isIdentity(kRounding)))
+  if (wrong.empty() &&
+      !(R.allFinite() && R.determinant() > 0 && (R.transpose() * R).isIdentity(kRounding)))
     wrong = "frame in the link is not a rotation";
   if (!wrong.empty())
     throw std::invalid_argument(fmt::format("{}: {}: {}", where, name_of(shape.geometry), wrong));

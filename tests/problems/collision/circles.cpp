@@ -40,9 +40,8 @@ std::vector<NearestPoints> nearest_points(const Circle& first, const Circle& sec
     }
     found.push_back(at_angle(first, second, (low + high) / 2));
   }
-  std::sort(found.begin(), found.end(), [](const NearestPoints& a, const NearestPoints& b) {
-    return a.distance < b.distance;
-  });
+  std::sort(found.begin(), found.end(),
+            [](const NearestPoints& a, const NearestPoints& b) { return a.distance < b.distance; });
   return found;
 }
 

@@ -26,9 +26,9 @@ bool same_bits(const std::vector<ContactPoint>& a, const std::vector<ContactPoin
 
 /// Two of each kind, crowded; the floor and a rod stand still.
 struct Crowd {
-  std::vector<Shape> shapes = {
-      {HalfSpace{}, Link::world, {Matrix3d::Identity(), {0, 0, -0.05}}},
-      {Cylinder{0.03, 0.4}, Link::world, cases::turned_about(Vector3d::UnitX(), 1.5, Vector3d::Zero())}};
+  std::vector<Shape> shapes = {{HalfSpace{}, Link::world, {Matrix3d::Identity(), {0, 0, -0.05}}},
+                               {Cylinder{0.03, 0.4}, Link::world,
+                                cases::turned_about(Vector3d::UnitX(), 1.5, Vector3d::Zero())}};
   Kinematics kinematics;
   /// Rings and meshes have no rule.
   std::vector<LinkPair> excluded;
@@ -45,8 +45,8 @@ struct Crowd {
     }
     for (std::size_t i = 0; i < geometries.size(); ++i) {
       shapes.push_back({geometries[i], static_cast<Index>(i)});
-      kinematics.pose.push_back({cases::random_turn(uniform).toRotationMatrix(),
-                                 0.06 * cases::random_vector(uniform)});
+      kinematics.pose.push_back(
+          {cases::random_turn(uniform).toRotationMatrix(), 0.06 * cases::random_vector(uniform)});
     }
   }
 };
@@ -95,7 +95,8 @@ TEST_P(Worlds, OrderPointsByBodiesThenDepthThenPlace) {
   const Crowd crowd(GetParam());
   World world(crowd.shapes);
   const auto points = world.contacts(crowd.kinematics);
-  const std::vector<Index> order = reduce_contacts(points, {.method = ReductionOptions::Method::none});
+  const std::vector<Index> order =
+      reduce_contacts(points, {.method = ReductionOptions::Method::none});
   for (std::size_t i = 0; i < points.size(); ++i) {
     EXPECT_EQ(order[i], static_cast<Index>(i));
     EXPECT_GT(points[i].id.body1, points[i].id.body2);
@@ -148,8 +149,7 @@ TEST(World, CollidesAllDifferentLinksButNotWhatStandsStill) {
   World world(spheres(3));
   const auto points = world.contacts(all_near_the_origin(3));
   EXPECT_EQ(points.size(), 3 * 2 + 3);
-  EXPECT_EQ(pairs_of(points),
-            (std::set<LinkPair>{{0, 1}, {0, 2}, {0, 3}, {1, 2}, {1, 3}, {2, 3}}));
+  EXPECT_EQ(pairs_of(points), (std::set<LinkPair>{{0, 1}, {0, 2}, {0, 3}, {1, 2}, {1, 3}, {2, 3}}));
 }
 
 TEST(World, LeavesOutShapesOfOneLink) {

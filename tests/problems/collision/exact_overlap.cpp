@@ -74,8 +74,8 @@ Overlap of_axis(const Solid& round, const Solid& other) {
   Vector3d gradient;
   for (int i = 0; i < 3; ++i) {
     const Vector3d step = h * Vector3d::Unit(i);
-    gradient(i) = distance_outside(other, point(least) + step) -
-                  distance_outside(other, point(least) - step);
+    gradient(i) =
+        distance_outside(other, point(least) + step) - distance_outside(other, point(least) - step);
   }
   return {radius - f(least), gradient.normalized()};
 }
@@ -128,8 +128,8 @@ class Directions {
     std::sort(minima.begin(), minima.end());
     if (minima.size() > kBrackets) minima.resize(kBrackets);
     for (const auto& [depth, angle] : minima)
-      offer(at(golden_section([&](double x) { return overlap(at(x)); }, angle - step,
-                              angle + step)));
+      offer(
+          at(golden_section([&](double x) { return overlap(at(x)); }, angle - step, angle + step)));
   }
 
   /// Pattern search from the best of samples all over the sphere.

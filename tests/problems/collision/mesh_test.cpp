@@ -69,10 +69,19 @@ TEST(Mesh, OfACapsuleIsClosedAndHasItsVolume) {
   EXPECT_NEAR(bounding_radius(mesh), 0.035, 1e-12);
 }
 
+TEST(Mesh, OfACylinderIsClosedAndHasItsVolume) {
+  const Mesh mesh = mesh_of(Cylinder{0.01, 0.05}, 32);
+  expect_closed(mesh);
+  const double cylinder = std::numbers::pi * 1e-4 * 0.05;
+  EXPECT_NEAR(volume(mesh), cylinder, 0.01 * cylinder);
+  EXPECT_LT(volume(mesh), cylinder);
+}
+
 TEST(Mesh, RefusesTooFewFacets) {
   EXPECT_THROW(mesh_of(wire_ring(), 2), std::invalid_argument);
   EXPECT_THROW(mesh_of(Capsule{0.01, 0.05}, 2, 4), std::invalid_argument);
   EXPECT_THROW(mesh_of(Capsule{0.01, 0.05}, 8, 0), std::invalid_argument);
+  EXPECT_THROW(mesh_of(Cylinder{0.01, 0.05}, 2), std::invalid_argument);
 }
 
 /// All of the mesh's points lie near one of the shape's own, and their normals are at most
@@ -95,13 +104,11 @@ void expect_dirty(const std::vector<ContactPoint>& mesh, const std::vector<Conta
 }
 
 TEST(MeshOnMesh, RingsHaveMorePointsAroundTheOneTheyShare) {
-  const Pose threaded = cases::turned_about(Vector3d::UnitX(), 1.4,
-                                            {2 * kRadius - 2 * kWire + 3e-4, 0.0004, 0.0003});
+  const Pose threaded =
+      cases::turned_about(Vector3d::UnitX(), 1.4, {2 * kRadius - 2 * kWire + 3e-4, 0.0004, 0.0003});
   const auto clean = cases::contacts_of({wire_ring(), threaded}, {wire_ring(), {}});
   const auto dirty =
       cases::contacts_of({mesh_of(wire_ring(), 12), threaded}, {mesh_of(wire_ring(), 12), {}});
-  for (auto&c:clean) printf("clean %g %g %g  n %g %g %g d %g\n",c.position.x(),c.position.y(),c.position.z(),c.normal.x(),c.normal.y(),c.normal.z(),c.depth);
-  for (auto&c:dirty) printf("dirty %g %g %g  n %g %g %g d %g\n",c.position.x(),c.position.y(),c.position.z(),c.normal.x(),c.normal.y(),c.normal.z(),c.depth);
   expect_dirty(dirty, clean, 4e-3, 1.2);
 }
 
@@ -119,10 +126,50 @@ TEST(MeshOnSolid, RingHasMorePointsOnACylinderAndOnABox) {
                1.2);
 }
 
+class MeshOn : public testing::TestWithParam<const char*> {};
+
+TEST_P(MeshOn, SolidGivesPointsThatLieOnBoth) {
+  cases::Uniform uniform(31);
+  const Geometry mesh = mesh_of(wire_ring(), 12);
+  int poses = 0, points = 0, far_away = 0;
+  for (int pose = 0; pose < 60; ++pose) {
+    const Solid solid{cases::random_geometry(GetParam(), uniform), Pose{}};
+    Solid ring{wire_ring(), cases::random_pose(uniform)};
+    const Vector3d away = cases::random_vector(uniform).normalized();
+    const double depth = uniform.between(2e-4, 5e-4);
+    double near = 0, far = 0.2;
+    for (int k = 0; k < 20; ++k) {
+      const double middle = (near + far) / 2;
+      ring.pose.p = middle * away;
+      const auto clean = cases::contacts_of(ring, solid);
+      (!clean.empty() && clean.front().depth > depth ? near : far) = middle;
+    }
+    const auto clean = cases::contacts_of(ring, solid);
+    if (clean.empty() || clean.front().depth < depth / 2) continue;
+    ++poses;
+    const auto dirty = cases::contacts_of({mesh, ring.pose}, solid);
+    EXPECT_GT(dirty.size(), clean.size()) << pose;
+    for (const ContactPoint& point : dirty) {
+      ++points;
+      const Solid here{Sphere{1e-9}, {Matrix3d::Identity(), point.position}};
+      const Solid near_by{Sphere{kWire / 2}, here.pose};
+      const double beyond_surface = std::abs(cases::exact_overlap(here, solid).depth);
+      far_away += beyond_surface > kWire || cases::contacts_of(ring, near_by).empty();
+    }
+  }
+  EXPECT_GT(poses, 25);
+  EXPECT_GT(points, 10 * poses);
+  EXPECT_LE(far_away, points / 100);
+}
+
+INSTANTIATE_TEST_SUITE_P(Kinds, MeshOn, testing::Values("sphere", "capsule", "box", "cylinder"),
+                         [](const auto& kind) { return std::string(kind.param); });
+
 TEST(MeshOnSolid, ExchangedGivesOppositeNormals) {
   const Solid sphere{Sphere{0.01}, {Matrix3d::Identity(), {0, 0, 0.0199}}};
-  const Solid capsule{mesh_of(Capsule{0.01, 0.04}, 16, 4),
-                      cases::turned_about(Vector3d::UnitY(), std::numbers::pi / 2, Vector3d::Zero())};
+  const Solid capsule{
+      mesh_of(Capsule{0.01, 0.04}, 16, 4),
+      cases::turned_about(Vector3d::UnitY(), std::numbers::pi / 2, Vector3d::Zero())};
   const auto one = cases::contacts_of(sphere, capsule), other = cases::contacts_of(capsule, sphere);
   ASSERT_FALSE(one.empty());
   ASSERT_EQ(one.size(), other.size());

@@ -36,7 +36,8 @@ class Parallel : public testing::TestWithParam<Kinds> {
     return long_one(GetParam().second_is_cylinder, radius, length);
   }
   /// The first at +x beside the second.
-  std::vector<ContactPoint> contacts(double length1, double length2, double up, double angle) const {
+  std::vector<ContactPoint> contacts(double length1, double length2, double up,
+                                     double angle) const {
     const Solid one{first(0.01, length1), beside(0.03 - kDepth, up, angle)};
     const Solid other{second(0.02, length2), beside(0, 0)};
     return cases::contacts_of(one, other);
@@ -92,26 +93,23 @@ TEST_P(Parallel, TouchOnceWhereTheyCross) {
   }
 }
 
-TEST_P(Parallel, DoNotTouchBesideEachOther) {
-  EXPECT_TRUE(contacts(0.1, 0.1, 0.135, 0).empty());
-}
+TEST_P(Parallel, DoNotTouchBesideEachOther) { EXPECT_TRUE(contacts(0.1, 0.1, 0.135, 0).empty()); }
 
-INSTANTIATE_TEST_SUITE_P(Kinds, Parallel,
-                         testing::Values(Kinds{false, false}, Kinds{false, true}, Kinds{true, true}),
-                         [](const auto& kinds) {
-                           const auto name = [](bool cylinder) {
-                             return std::string(cylinder ? "cylinder" : "capsule");
-                           };
-                           return name(kinds.param.first_is_cylinder) + "_on_" +
-                                  name(kinds.param.second_is_cylinder);
-                         });
+INSTANTIATE_TEST_SUITE_P(
+    Kinds, Parallel, testing::Values(Kinds{false, false}, Kinds{false, true}, Kinds{true, true}),
+    [](const auto& kinds) {
+      const auto name = [](bool cylinder) {
+        return std::string(cylinder ? "cylinder" : "capsule");
+      };
+      return name(kinds.param.first_is_cylinder) + "_on_" + name(kinds.param.second_is_cylinder);
+    });
 
 /// A table of 20 cm with its top at z = 0.
 const Solid kTable{Box{{0.2, 0.2, 0.1}}, {Matrix3d::Identity(), {0, 0, -0.05}}};
 
 TEST(LyingOnABox, CapsuleAndCylinderTouchAtBothEnds) {
-  const Pose lying = cases::turned_about(Vector3d::UnitY(), std::numbers::pi / 2,
-                                         {0.02, 0.01, 0.01 - kDepth});
+  const Pose lying =
+      cases::turned_about(Vector3d::UnitY(), std::numbers::pi / 2, {0.02, 0.01, 0.01 - kDepth});
   for (const bool cylinder : {false, true}) {
     const auto points = cases::contacts_of({long_one(cylinder, 0.01, 0.1), lying}, kTable);
     ASSERT_EQ(points.size(), 2);

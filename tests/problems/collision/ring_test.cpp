@@ -24,7 +24,9 @@ const double kSagitta = kRadius * (1 - std::cos(std::numbers::pi / kSegments));
 
 Solid ring_at(const Pose& pose) { return {cases::round_ring(kRadius, kWire, kSegments), pose}; }
 
-Vector3d on_circle(double angle) { return {kRadius * std::cos(angle), kRadius * std::sin(angle), 0}; }
+Vector3d on_circle(double angle) {
+  return {kRadius * std::cos(angle), kRadius * std::sin(angle), 0};
+}
 
 /// Two circles in random poses whose wires overlap by 0.1 to 0.6 mm at the deepest place.
 std::pair<Circle, Circle> random_circles(Uniform& uniform) {
@@ -98,7 +100,8 @@ TEST(RingOnRing, ReportsNoPointWhereCirclesHaveNoMinimum) {
   for (int pose = 0; pose < 200; ++pose) {
     const auto [first, second] = random_circles(uniform);
     const auto exact = cases::nearest_points(first, second);
-    for (const ContactPoint& point : cases::contacts_of(ring_at(first.pose), ring_at(second.pose))) {
+    for (const ContactPoint& point :
+         cases::contacts_of(ring_at(first.pose), ring_at(second.pose))) {
       ++points_found;
       strays += std::none_of(exact.begin(), exact.end(), [&](const NearestPoints& minimum) {
         return (point.position - (minimum.on_first + minimum.on_second) / 2).norm() < 4e-3;
@@ -123,7 +126,8 @@ TEST(RingOnRing, TouchesOnceAtCornersThatMeet) {
 TEST(RingOnRing, LinkedRingsTouchInTwoPlacesOrOne) {
   // Threaded at right angles, pulled apart along x: the wires touch inside.
   const double pulled = 2 * kRadius - 2 * kWire + 1e-4;
-  const Pose threaded = cases::turned_about(Vector3d::UnitX(), std::numbers::pi / 2, {pulled, 0, 0});
+  const Pose threaded =
+      cases::turned_about(Vector3d::UnitX(), std::numbers::pi / 2, {pulled, 0, 0});
   const auto points = cases::contacts_of(ring_at(threaded), ring_at({}));
   ASSERT_GE(points.size(), 1);
   EXPECT_NEAR(points[0].position.x(), kRadius - kWire + 0.5e-4, 2e-5);
@@ -149,8 +153,8 @@ Ring square() {
 
 TEST(RingOnSolid, SquareTouchesACapsuleThroughTwoSides) {
   // A bar of 3 mm over the sides at x = +-0.05.
-  const Solid bar{Capsule{0.003, 0.3}, cases::turned_about(Vector3d::UnitY(), std::numbers::pi / 2,
-                                                           {0, 0.01, 0.0049})};
+  const Solid bar{Capsule{0.003, 0.3},
+                  cases::turned_about(Vector3d::UnitY(), std::numbers::pi / 2, {0, 0.01, 0.0049})};
   const auto points = cases::contacts_of({square(), {}}, bar);
   ASSERT_EQ(points.size(), 2);
   for (const ContactPoint& point : points) {
@@ -166,7 +170,8 @@ TEST(RingOnSolid, TouchesASphereAsDeepAsItsNearestSegment) {
   int touching = 0;
   for (int i = 0; i < 300; ++i) {
     const double radius = uniform.between(0.002, 0.02);
-    const Solid sphere{Sphere{radius}, {Matrix3d::Identity(), 0.03 * cases::random_vector(uniform)}};
+    const Solid sphere{Sphere{radius},
+                       {Matrix3d::Identity(), 0.03 * cases::random_vector(uniform)}};
     const auto points = cases::contacts_of(ring_at({}), sphere);
     double depth = -1;
     const Ring ring = cases::round_ring(kRadius, kWire, kSegments);

@@ -25,8 +25,9 @@ std::string complaint(const Shape& shape) {
 
 TEST(Shape, WithSoundSizesIsAccepted) {
   for (const Geometry& geometry :
-       {Geometry(HalfSpace{}), Geometry(Sphere{1}), Geometry(Capsule{1, 0}), Geometry(Box{{1, 2, 3}}),
-        Geometry(Cylinder{1, 2}), Geometry(Ring{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, 0.1}),
+       {Geometry(HalfSpace{}), Geometry(Sphere{1}), Geometry(Capsule{1, 0}),
+        Geometry(Box{{1, 2, 3}}), Geometry(Cylinder{1, 2}),
+        Geometry(Ring{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, 0.1}),
         Geometry(Mesh{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {{0, 1, 2}}})})
     EXPECT_EQ(complaint({geometry}), "");
 }

@@ -75,7 +75,8 @@ TEST_P(Solids, TouchInTheMiddleOfTheOverlapAlongANormalToBody1) {
       const double tolerance = &point == &points.front() ? 1e-9 : 1e-5;
       for (const auto& [solid, sign] : {std::pair(&first, 1.0), {&second, -1.0}}) {
         const Vector3d end = point.position - sign * point.depth / 2 * point.normal;
-        const Overlap there = cases::exact_overlap({collision::Sphere{1e-9}, {Matrix3d::Identity(), end}}, *solid);
+        const Overlap there =
+            cases::exact_overlap({collision::Sphere{1e-9}, {Matrix3d::Identity(), end}}, *solid);
         EXPECT_NEAR(there.depth, 1e-9, tolerance) << pose;
       }
     }
@@ -110,18 +111,14 @@ TEST_P(Solids, MoveTheirPointsWithThem) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Pairs, Solids,
-                         testing::Values(Pair{"sphere", "sphere", 1000},
-                                         Pair{"sphere", "capsule", 1000},
-                                         Pair{"sphere", "box", 1000},
-                                         Pair{"sphere", "cylinder", 1000},
-                                         Pair{"capsule", "capsule", 3000},
-                                         Pair{"capsule", "box", 3000},
-                                         Pair{"capsule", "cylinder", 3000},
-                                         Pair{"box", "box", 1000},
-                                         Pair{"box", "cylinder", 3000},
-                                         Pair{"cylinder", "cylinder", 500}),
-                         testing::PrintToStringParamName());
+INSTANTIATE_TEST_SUITE_P(
+    Pairs, Solids,
+    testing::Values(Pair{"sphere", "sphere", 1000}, Pair{"sphere", "capsule", 1000},
+                    Pair{"sphere", "box", 1000}, Pair{"sphere", "cylinder", 1000},
+                    Pair{"capsule", "capsule", 3000}, Pair{"capsule", "box", 3000},
+                    Pair{"capsule", "cylinder", 3000}, Pair{"box", "box", 1000},
+                    Pair{"box", "cylinder", 3000}, Pair{"cylinder", "cylinder", 500}),
+    testing::PrintToStringParamName());
 
 }  // namespace
 }  // namespace lcp
