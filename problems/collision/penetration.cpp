@@ -24,6 +24,8 @@ constexpr int kNewtonHalvings = 12;
 constexpr double kFlatSlope = 1e-12;
 /// How far from a direction's plane a rim may lie so that both rims are tried (cosine).
 constexpr double kEitherRim = 1e-6;
+/// From how far beyond it (cosine) a search for one rim's minimum does not come back.
+constexpr double kFarSide = 0.05;
 /// Longest step, rad, and least curvature, relative to the sizes, that it reckons with.
 constexpr double kLongestStep = 0.5, kLeastCurvature = 1e-3;
 /// How far from a cylinder's axis, rad, a start lies.
@@ -160,6 +162,8 @@ class Search {
       Eigen::Matrix<double, 3, 2> plane;
       plane.col(0) = d.unitOrthogonal();
       plane.col(1) = d.cross(plane.col(0));
+      // On the far side of a plane the other rim is the farther one.
+      if (std::min(side1 * first_.axis().dot(d), side2 * second_.axis().dot(d)) < -kFarSide) return;
       const Vector2d slope = plane.transpose() * w;
       if (slope.norm() <= kFlatSlope * size) break;
       Matrix2d curvature = -w.dot(d) * Matrix2d::Identity();
