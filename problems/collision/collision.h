@@ -34,7 +34,9 @@ std::vector<LinkPair> neighbours(const Model& model);
 /// Mesh on mesh gives many points with scattered normals, in the nature of triangles; ODE keeps
 /// vertices in single precision.
 ///
-/// One World, one thread; copies are independent.
+/// One World, one thread; copies are independent. As a System's rule:
+///
+///     system.collide = [world](const Kinematics& k) mutable { return world.contacts(k); };
 class World {
  public:
   /// Throws std::invalid_argument naming the shape on one that `check` refuses, and on pairs that

@@ -5,7 +5,7 @@
 #include <set>
 #include <thread>
 
-#include "problems/rigid/contact_dynamics.h"
+#include "problems/rigid/simulation.h"
 #include "tests/problems/collision/collision_cases.h"
 
 namespace lcp {
@@ -30,8 +30,6 @@ struct Crowd {
                                {Cylinder{0.03, 0.4}, Link::world,
                                 cases::turned_about(Vector3d::UnitX(), 1.5, Vector3d::Zero())}};
   Kinematics kinematics;
-  /// Rings and meshes have no rule.
-  std::vector<LinkPair> excluded;
 
   explicit Crowd(bool meshes) {
     Uniform uniform(12);
@@ -190,6 +188,16 @@ TEST(World, PutsShapesWhereTheirFramesAreInTheirLinks) {
   ASSERT_EQ(points.size(), 1);
   EXPECT_NEAR(points[0].depth, 5e-4, 1e-12);
   EXPECT_LE((points[0].normal + up).norm(), 1e-9);
+}
+
+TEST(World, ServesASystemAndItsCopies) {
+  const Crowd crowd(false);
+  World world(crowd.shapes);
+  decltype(System::collide) collide = [world](const Kinematics& k) mutable {
+    return world.contacts(k);
+  };
+  const auto copy = collide;
+  EXPECT_TRUE(same_bits(copy(crowd.kinematics), world.contacts(crowd.kinematics)));
 }
 
 TEST(World, RefusesPairsWithoutARuleUnlessExcluded) {

@@ -54,6 +54,12 @@ TEST(HalfSpace, TouchesTheLowestPointAsDeepAsItIs) {
   }
 }
 
+TEST(HalfSpace, DoesNotTouchWhatIsJustAbove) {
+  EXPECT_TRUE(on_floor({Box{{0.2, 0.1, 0.1}}, at_height(0.05 + 1e-12)}).empty());
+  EXPECT_TRUE(on_floor({Sphere{0.05}, at_height(0.05 + 1e-12)}).empty());
+  EXPECT_EQ(on_floor({Sphere{0.05}, at_height(0.05 - 1e-12)}).size(), 1);
+}
+
 TEST(HalfSpace, CarriesALyingCapsuleAndCylinderAtBothEnds) {
   const Pose lying = cases::turned_about(Vector3d::UnitY(), std::numbers::pi / 2, {0, 0, 0.0099});
   for (const Geometry& geometry : {Geometry(Capsule{0.01, 0.08}), Geometry(Cylinder{0.01, 0.08})}) {

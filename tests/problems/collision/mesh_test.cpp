@@ -47,17 +47,32 @@ TEST(Mesh, OfARingIsClosedAndHasItsVolume) {
 }
 
 TEST(Mesh, OfARingThatIsNotPlaneIsClosedAndHasItsVolume) {
-  Ring ring = wire_ring();
+  // Wound three times around a circle: a section carried along comes back turned.
+  constexpr Index corners = 128, around = 16;
+  Ring ring = cases::round_ring(kRadius, kWire, corners);
   double length = 0;
-  for (Index k = 0; k < 64; ++k)
-    ring.corners[k].z() = 0.01 * std::sin(3 * 2 * std::numbers::pi * static_cast<double>(k) / 64);
-  for (Index k = 0; k < 64; ++k) length += (ring.corners[k] - ring.corners[(k + 1) % 64]).norm();
-  const Mesh mesh = mesh_of(ring, 16);
+  for (Index k = 0; k < corners; ++k) {
+    const double turn = 3 * 2 * std::numbers::pi * static_cast<double>(k) / corners;
+    ring.corners[k] *= 1 + 0.25 * std::cos(turn);
+    ring.corners[k].z() = 0.25 * kRadius * std::sin(turn);
+  }
+  const auto segment = [&](Index k) {
+    return (ring.corners[k] - ring.corners[(k + 1) % corners]).norm();
+  };
+  for (Index k = 0; k < corners; ++k) length += segment(k);
+  const Mesh mesh = mesh_of(ring, around);
   expect_closed(mesh);
   const double wire = length * std::numbers::pi * kWire * kWire;
   EXPECT_NEAR(volume(mesh), wire, 0.05 * wire);
-  for (std::size_t i = 0; i < mesh.vertices.size(); ++i)
-    EXPECT_NEAR((mesh.vertices[i] - ring.corners[i / 16]).norm(), kWire, 1e-12);
+  for (Index i = 0; i < corners; ++i) {
+    for (Index k = 0; k < around; ++k) {
+      const Vector3d &here = mesh.vertices[around * i + k],
+                     &next = mesh.vertices[around * ((i + 1) % corners) + k];
+      EXPECT_NEAR((here - ring.corners[i]).norm(), kWire, 1e-12);
+      // Nowhere twisted: facets run along the wire.
+      EXPECT_NEAR((next - here).norm(), segment(i), 0.3 * kWire);
+    }
+  }
 }
 
 TEST(Mesh, OfACapsuleIsClosedAndHasItsVolume) {

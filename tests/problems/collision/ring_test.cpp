@@ -123,7 +123,7 @@ TEST(RingOnRing, TouchesOnceAtCornersThatMeet) {
   EXPECT_LE((points[0].position - Vector3d(kRadius + kWire - 0.5e-4, 0, 0)).norm(), 1e-9);
 }
 
-TEST(RingOnRing, LinkedRingsTouchInTwoPlacesOrOne) {
+TEST(RingOnRing, LinkedRingsTouchInside) {
   // Threaded at right angles, pulled apart along x: the wires touch inside.
   const double pulled = 2 * kRadius - 2 * kWire + 1e-4;
   const Pose threaded =
@@ -146,12 +146,12 @@ TEST(RingOnRing, GivesFeaturesThatStayWhenItMovesALittle) {
   EXPECT_EQ(before[0].id.feature, after[0].id.feature);
 }
 
-/// A square with rounded nothing: 4 corners, 10 cm a side.
+/// 10 cm a side.
 Ring square() {
   return {{{0.05, 0.05, 0}, {-0.05, 0.05, 0}, {-0.05, -0.05, 0}, {0.05, -0.05, 0}}, 0.002};
 }
 
-TEST(RingOnSolid, SquareTouchesACapsuleThroughTwoSides) {
+TEST(RingOnSolid, SquareTouchesACapsuleOnTwoSides) {
   // A bar of 3 mm over the sides at x = +-0.05.
   const Solid bar{Capsule{0.003, 0.3},
                   cases::turned_about(Vector3d::UnitY(), std::numbers::pi / 2, {0, 0.01, 0.0049})};
