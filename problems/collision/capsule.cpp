@@ -1,6 +1,6 @@
-#include <algorithm>
 #include <array>
-#include <optional>
+#include <cmath>
+#include <utility>
 
 #include "problems/collision/colliders.h"
 #include "problems/collision/signed_distance.h"
@@ -60,8 +60,8 @@ class AxisOnSolid {
     return s >= 1 ? at_end : between;
   }
 
-  /// Where the axis begins (`slope` < 0) or ceases to run along the surface: at its own end, or where
-  /// it passes the other's last point.
+  /// Where the axis begins (`slope` < 0) or ceases to run along the surface: at its own end, or
+  /// where it passes the other's last point.
   double stretch_end(double slope) const {
     const double s = axis_.rises_at(slope);
     if (s <= 0 || s >= 1) return s;

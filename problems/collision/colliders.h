@@ -34,15 +34,15 @@ void half_space_on_solid(const Placed& half_space, const Placed& solid,
                          std::vector<Touch>& touches);
 
 /// Sphere or capsule on sphere, capsule, box or cylinder. The depth is exact as long as the axis of
-/// the first does not enter the second (its axis, where that is a capsule); deeper, it is that of the
-/// axis' deepest point. Features: 0 and 1 near the ends of the first, 2 between.
+/// the first does not enter the second (its axis, where that is a capsule); deeper, it is that of
+/// the axis' deepest point. Features: 0 and 1 near the ends of the first, 2 between.
 ///
-/// One point, where they are deepest; two where the axis runs along the surface of the other for more
-/// than its own radius, at the ends of that stretch. A third where they are deeper between.
+/// One point, where they are deepest; two where the axis runs along the surface of the other for
+/// more than its own radius, at the ends of that stretch. A third where they are deeper between.
 void capsule_on_solid(const Placed& capsule, const Placed& solid, std::vector<Touch>& touches);
 
-/// Ring on sphere, capsule, ring, box or cylinder: one point for every local minimum of the distance
-/// between the wire and the other, over the wire's segments (and the other ring's).
+/// Ring on sphere, capsule, ring, box or cylinder: one point for every local minimum of the
+/// distance between the wire and the other, over the wire's segments (and the other ring's).
 void ring_on_solid(const Placed& ring, const Placed& solid, std::vector<Touch>& touches);
 void ring_on_ring(const Placed& first, const Placed& second, std::vector<Touch>& touches);
 

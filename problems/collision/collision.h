@@ -22,14 +22,14 @@ std::vector<LinkPair> neighbours(const Model& model);
 /// | pair | rule |
 /// |---|---|
 /// | half-space on anything | its lowest points: exact |
-/// | sphere, capsule on sphere, capsule, box, cylinder | distance along the axis: exact; 2 points where parallel |
-/// | box, cylinder on box, cylinder | exact direction of least overlap; the points that faces share |
+/// | sphere, capsule on these, box, cylinder | distance along the axis; 2 points where parallel |
+/// | box, cylinder on these | exact direction of least overlap; the points that faces share |
 /// | ring on all but meshes | local minima of the distance over its segments |
 /// | mesh on all but half-spaces and rings | ODE |
 ///
-/// ODE's own rules for cylinders on boxes miss 3 % of shallow overlaps, those for cylinders on capsules
-/// and cylinders are iterations, wrong by 1e-4 m and 1 rad at worst, its capsules have one point however
-/// they lie, and of two boxes it prefers faces to edges that are deeper: hence ours.
+/// ODE's own rules for cylinders on boxes miss 3 % of shallow overlaps, those for cylinders on
+/// capsules and cylinders are iterations, wrong by 1e-4 m and 1 rad at worst, its capsules have one
+/// point however they lie, and of two boxes it prefers faces to edges that are deeper: hence ours.
 ///
 /// Mesh on mesh gives many points with scattered normals, in the nature of triangles; ODE keeps
 /// vertices in single precision.
@@ -45,11 +45,11 @@ class World {
 
   const std::vector<Shape>& shapes() const { return shapes_; }
 
-  /// Overlaps of depth >= 0, positions in their middle, in the order of (body 1, body 2), then deepest
-  /// first, then ascending x, y, z; the order of the shapes has no influence. Body 1 has the higher
-  /// number. Features stay the same from frame to frame for corners, ends and segments; for
-  /// polygons and what ODE finds they count the points of one pair. Where several pairs of shapes
-  /// belong to the same links, those of the k-th pair begin at k features_per_pair.
+  /// Overlaps of depth >= 0, positions in their middle, in the order of (body 1, body 2), then
+  /// deepest first, then ascending x, y, z; the order of the shapes has no influence. Body 1 has
+  /// the higher number. Features stay the same from frame to frame for corners, ends and segments;
+  /// for polygons and what ODE finds they count the points of one pair. Where several pairs of
+  /// shapes belong to the same links, those of the k-th pair begin at k features_per_pair.
   ///
   /// Throws std::invalid_argument when a shape's link does not exist.
   std::vector<ContactPoint> contacts(const Kinematics& kinematics);

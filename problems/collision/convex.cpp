@@ -20,8 +20,8 @@ constexpr double kSameDepth = 1e-14;
 /// radii have a point there as well.
 constexpr double kDeeper = 1e-6;
 
-/// Points of contact of two solids that have to go apart along `normal`, all relative to the centre of
-/// the second.
+/// Points of contact of two solids that have to go apart along `normal`, all relative to the centre
+/// of the second.
 class Manifold {
  public:
   Manifold(const Convex& first, const Convex& second, const Vector3d& offset,
@@ -92,8 +92,8 @@ class Manifold {
     has_deepest_ = has_deepest_ || !deeper_between;
   }
 
-  /// At a point of a line at `upper_round` from its cylinder's axis: the overlap is that of the axes'
-  /// distance, which other than that of the lines is right beside the place where they cross.
+  /// At a point of a line at `upper_round` from its cylinder's axis: the overlap is that of the
+  /// axes' distance, which other than that of the lines is right beside the place where they cross.
   void add_beside(const Vector3d& upper, double upper_round, const Vector3d& b, const Vector3d& v,
                   double lower_round) {
     const Vector3d axis_point = upper + upper_round * radial(first_, n());
@@ -113,8 +113,8 @@ class Manifold {
     return (direction - axis * axis.dot(direction)).normalized();
   }
 
-  /// A segment or polygon on a polygon that looks along `up`: what of it is within the sides of that
-  /// one.
+  /// A segment or polygon on a polygon that looks along `up`: what of it is within the sides of
+  /// that one.
   void add_of_polygon(std::vector<Vector3d> points, const std::vector<Vector3d>& polygon,
                       const Vector3d& up) {
     const std::size_t corners = polygon.size();

@@ -6,12 +6,12 @@
 
 namespace lcp::collision {
 
-/// A geometry in the Open Dynamics Engine (ODE): made once, posed at each instant. Not to be used by
-/// two threads at a time; copies may.
+/// A geometry in the Open Dynamics Engine (ODE): made once, posed at each instant. Not to be used
+/// by two threads at a time; copies may.
 class OdeGeom {
  public:
-  /// A sphere, box or mesh; a capsule or cylinder as a mesh, because half the points that ODE finds of
-  /// a mesh on those themselves lie millimetres away from both.
+  /// A sphere, box or mesh; a capsule or cylinder as a mesh, because half the points that ODE finds
+  /// of a mesh on those themselves lie millimetres away from both.
   explicit OdeGeom(const Geometry& geometry);
   OdeGeom(const OdeGeom& other);
   OdeGeom& operator=(const OdeGeom& other);

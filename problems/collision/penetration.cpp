@@ -1,7 +1,9 @@
 #include "problems/collision/penetration.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 namespace lcp::collision {

@@ -1,6 +1,6 @@
 #include <algorithm>
 #include <cmath>
-#include <cstdint>
+#include <utility>
 
 #include "problems/collision/colliders.h"
 #include "problems/collision/signed_distance.h"
@@ -25,8 +25,8 @@ Index steps_between(Index a, Index b, Index count) {
   return std::min(apart, count - apart);
 }
 
-/// Adds those of `found`, in the order of (i, j), that no neighbouring pair of segments is nearer than.
-/// A minimum at a corner is found on both sides of it, equally far: the first counts.
+/// Adds those of `found`, in the order of (i, j), that no neighbouring pair of segments is nearer
+/// than. A minimum at a corner is found on both sides of it, equally far: the first counts.
 void add_local_minima(const std::vector<Nearest>& found, Index count_i, Index count_j, double reach,
                       std::vector<Touch>& touches) {
   for (std::size_t a = 0; a < found.size(); ++a) {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <string>
 #include <variant>
 #include <vector>
 
@@ -76,7 +77,8 @@ Mesh mesh_of(const Ring& ring, Index around);
 /// std::invalid_argument when `around` is less than 3 or `rings` less than 1.
 Mesh mesh_of(const Capsule& capsule, Index around, Index rings);
 
-/// The same of a cylinder, with flat ends. Throws std::invalid_argument when `around` is less than 3.
+/// The same of a cylinder, with flat ends. Throws std::invalid_argument when `around` is less than
+/// 3.
 Mesh mesh_of(const Cylinder& cylinder, Index around);
 
 }  // namespace lcp::collision

@@ -4,8 +4,8 @@
 
 namespace lcp::collision {
 
-/// Distance of a point from the surface of a solid, negative inside, and its gradient: the unit normal
-/// of the surface at the nearest point. A convex function of the point.
+/// Distance of a point from the surface of a solid, negative inside, and its gradient: the unit
+/// normal of the surface at the nearest point. A convex function of the point.
 struct SignedDistance {
   double distance = 0;                 ///< m.
   Vector3d normal = Vector3d::Zero();  ///< Zero where all directions are the same: on an axis.
@@ -16,8 +16,8 @@ struct SignedDistance {
 /// Of a sphere, capsule, box or cylinder, at `point` in its frame.
 SignedDistance signed_distance(const Geometry& solid, const Vector3d& point);
 
-/// A segment in a solid's frame and the distances of its points, at s from 0 to 1. Because the solid
-/// is convex, the slope of the distance never falls with s.
+/// A segment in a solid's frame and the distances of its points, at s from 0 to 1. Because the
+/// solid is convex, the slope of the distance never falls with s.
 class DistanceAlong {
  public:
   DistanceAlong(const Geometry& solid, const Vector3d& from, const Vector3d& to)

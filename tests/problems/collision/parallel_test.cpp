@@ -64,7 +64,8 @@ TEST_P(Parallel, TouchAtBothEndsOfTheStretchInCommon) {
 }
 
 TEST_P(Parallel, TouchAtBothEndsWhenNearlyParallel) {
-  // At the ends the axes are 0.05 m times the angle farther apart than side by side: as good as not.
+  // At the ends the axes are 0.05 m times the angle farther apart than side by side: as good as
+  // not.
   for (const double angle : {1e-9, 1e-7, -1e-6}) {
     const auto points = contacts(0.1, 0.3, 0.02, angle);
     expect_ends(points, -0.03, 0.07, 1e-7);
