@@ -41,7 +41,7 @@ inline collision::Geometry random_geometry(const std::string& kind, Uniform& uni
 inline void bring_together(Solid& first, const Solid& second, double depth, Uniform& uniform) {
   const Vector3d away = random_vector(uniform).normalized();
   double near = 0, far = 0.3;
-  constexpr int halvings = 16;
+  constexpr int halvings = 14;
   for (int k = 0; k < halvings; ++k) {
     const double middle = (near + far) / 2;
     first.pose.p = second.pose.p + middle * away;

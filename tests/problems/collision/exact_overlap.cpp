@@ -12,8 +12,9 @@ namespace {
 using namespace collision;
 
 constexpr int kCircleSamples = 72;
+constexpr int kCoarseSamples = 24;
 constexpr int kSphereSamples = 600;
-constexpr int kGoldenSteps = 80;
+constexpr int kGoldenSteps = 60;
 constexpr int kPolishing = 6;
 constexpr int kBrackets = 3;  // refined of each circle
 
@@ -93,7 +94,7 @@ class Directions {
       for (int i = std::holds_alternative<Box>(solid->geometry) ? 0 : 2; i < 3; ++i) {
         offer(R.col(i));
         offer(-R.col(i));
-        circle(R.col(i));
+        circle(R.col(i), R.col((i + 1) % 3));
       }
     }
     if (cylinders && refine_) sphere();
@@ -109,21 +110,22 @@ class Directions {
     if (const double depth = overlap(d); depth < best_.depth) best_ = {depth, d};
   }
 
-  void circle(const Vector3d& axis) {
-    const Vector3d u = axis.unitOrthogonal(), v = axis.cross(u);
+  void circle(const Vector3d& axis, const Vector3d& u) {
+    const Vector3d v = axis.cross(u);
     const auto at = [&](double angle) -> Vector3d {
       return std::cos(angle) * u + std::sin(angle) * v;
     };
-    constexpr double step = 2 * std::numbers::pi / kCircleSamples;
+    const int count = refine_ ? kCircleSamples : kCoarseSamples;
+    const double step = 2 * std::numbers::pi / count;
     std::vector<std::pair<double, double>> samples, minima;
-    for (int k = 0; k < kCircleSamples; ++k) {
+    for (int k = 0; k < count; ++k) {
       samples.emplace_back(overlap(at(k * step)), k * step);
       offer(at(k * step));
     }
     if (!refine_) return;
-    for (int k = 0; k < kCircleSamples; ++k)
-      if (samples[k] <= samples[(k + 1) % kCircleSamples] &&
-          samples[k].first <= samples[(k + kCircleSamples - 1) % kCircleSamples].first)
+    for (int k = 0; k < count; ++k)
+      if (samples[k] <= samples[(k + 1) % count] &&
+          samples[k].first <= samples[(k + count - 1) % count].first)
         minima.push_back(samples[k]);
     std::sort(minima.begin(), minima.end());
     if (minima.size() > kBrackets) minima.resize(kBrackets);

@@ -105,6 +105,25 @@ INSTANTIATE_TEST_SUITE_P(
       return name(kinds.param.first_is_cylinder) + "_on_" + name(kinds.param.second_is_cylinder);
     });
 
+TEST(Crossing, CylinderTouchesAtItsRimWhereItEndsShortOfTheOther) {
+  // Along y, from 0.2 mm beside the other's axis on: 0.01 rad from lying on its side.
+  constexpr double end = 2e-4, x = 0.02 - kDepth;
+  const Solid short_of{
+      Cylinder{0.01, 0.1},
+      cases::turned_about(Vector3d::UnitX(), std::numbers::pi / 2, {x + 0.01, end + 0.05, 0})};
+  const Solid upright{Cylinder{0.02, 0.1}, Pose{}};
+  const Vector3d rim(x, end, 0), normal = rim.normalized();
+  const double depth = 0.02 - rim.norm();
+  for (const bool first : {true, false}) {
+    const auto points =
+        first ? cases::contacts_of(short_of, upright) : cases::contacts_of(upright, short_of);
+    ASSERT_EQ(points.size(), 1);
+    EXPECT_NEAR(points[0].depth, depth, 1e-12);
+    EXPECT_LE((points[0].position - (rim + depth / 2 * normal)).norm(), 1e-9);
+    EXPECT_LE((points[0].normal - (first ? 1 : -1) * normal).norm(), 1e-7);
+  }
+}
+
 /// A table of 20 cm with its top at z = 0.
 const Solid kTable{Box{{0.2, 0.2, 0.1}}, {Matrix3d::Identity(), {0, 0, -0.05}}};
 

@@ -62,7 +62,7 @@ TEST_P(Solids, TouchAsDeepAsTheyOverlapAndNowhereElse) {
 }
 
 TEST_P(Solids, TouchInTheMiddleOfTheOverlapAlongANormalToBody1) {
-  for (int pose = 0; pose < 200; ++pose) {
+  for (int pose = 0; pose < 100; ++pose) {
     const auto [first, second] = random_pair();
     const auto points = cases::contacts_of(first, second);
     for (const ContactPoint& point : points) {
@@ -84,7 +84,7 @@ TEST_P(Solids, TouchInTheMiddleOfTheOverlapAlongANormalToBody1) {
 }
 
 TEST_P(Solids, TouchAtTheSamePlacesWhenExchanged) {
-  for (int pose = 0; pose < 200; ++pose) {
+  for (int pose = 0; pose < 100; ++pose) {
     const auto [first, second] = random_pair();
     const auto one = cases::contacts_of(first, second), other = cases::contacts_of(second, first);
     ASSERT_EQ(one.size(), other.size()) << pose;
@@ -96,7 +96,7 @@ TEST_P(Solids, TouchAtTheSamePlacesWhenExchanged) {
 }
 
 TEST_P(Solids, MoveTheirPointsWithThem) {
-  for (int pose = 0; pose < 200; ++pose) {
+  for (int pose = 0; pose < 100; ++pose) {
     auto [first, second] = random_pair();
     const auto before = cases::contacts_of(first, second);
     const Pose motion = cases::random_pose(uniform_);
@@ -116,8 +116,8 @@ INSTANTIATE_TEST_SUITE_P(
     testing::Values(Pair{"sphere", "sphere", 1000}, Pair{"sphere", "capsule", 1000},
                     Pair{"sphere", "box", 1000}, Pair{"sphere", "cylinder", 1000},
                     Pair{"capsule", "capsule", 3000}, Pair{"capsule", "box", 3000},
-                    Pair{"capsule", "cylinder", 3000}, Pair{"box", "box", 1000},
-                    Pair{"box", "cylinder", 3000}, Pair{"cylinder", "cylinder", 500}),
+                    Pair{"capsule", "cylinder", 3000}, Pair{"box", "box", 500},
+                    Pair{"box", "cylinder", 2000}, Pair{"cylinder", "cylinder", 500}),
     testing::PrintToStringParamName());
 
 }  // namespace
