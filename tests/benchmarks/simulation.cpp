@@ -1,8 +1,14 @@
 // Micro-benchmarks of what a step of `squat` is made of: 21 links, 2 handles, 16 contacts, n = 160.
 // A step under RK4 assembles and disassembles four times and poses one LCP.
+// And of collision: pairs of shapes that touch, and a chain of capsules over a rod.
 
 #include <benchmark/benchmark.h>
 
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "problems/collision/collision.h"
 #include "problems/scenes/scene.h"
 #include "solvers/registry.h"
 
@@ -81,6 +87,86 @@ void whole_step(benchmark::State& state) {
   Simulation simulation(scene.setup.system, scene.setup.stepping);
   for (auto _ : state) simulation.step(moment().solver);
 }
+
+Pose turned(double angle, const Vector3d& axis, const Vector3d& place) {
+  return {Eigen::AngleAxisd(angle, axis).toRotationMatrix(), place};
+}
+
+collision::Ring round_ring(double circle_radius, double wire_radius) {
+  constexpr int corners = 64;
+  collision::Ring ring{{}, wire_radius};
+  for (int k = 0; k < corners; ++k) {
+    const double angle = 2 * std::numbers::pi * k / corners;
+    ring.corners.emplace_back(circle_radius * std::cos(angle), circle_radius * std::sin(angle), 0);
+  }
+  return ring;
+}
+
+void collide(benchmark::State& state, std::vector<collision::Shape> shapes, std::vector<Pose> poses,
+             const std::vector<collision::LinkPair>& excluded = {}) {
+  collision::World world(std::move(shapes), excluded);
+  Kinematics kinematics;
+  kinematics.pose = std::move(poses);
+  std::size_t points = 0;
+  for (auto _ : state) points = world.contacts(kinematics).size();
+  state.counters["points"] = static_cast<double>(points);
+}
+
+/// The first, at `pose`, touches the second, which stands at the origin.
+void pair_of_shapes(benchmark::State& state, const collision::Geometry& first, const Pose& pose,
+                    const collision::Geometry& second) {
+  collide(state, {{first, 0}, {second}}, {pose});
+}
+
+/// 30 links of 2 cm lie half round a rod, and hang down on both sides.
+void chain_on_a_rod(benchmark::State& state) {
+  constexpr Index links = 30;
+  const double rod = 0.08, radius = 0.005, length = 0.02;
+  const double round = rod + radius - 2e-4;  // of the links' middles about the rod
+  std::vector<collision::Shape> shapes = {
+      {collision::Cylinder{rod, 1}, Link::world,
+       turned(std::numbers::pi / 2, Vector3d::UnitX(), Vector3d::Zero())}};
+  std::vector<Pose> poses;
+  std::vector<collision::LinkPair> neighbours;
+  for (Index i = 0; i < links; ++i) {
+    shapes.push_back({collision::Capsule{radius, length}, i});
+    const double along = length * (static_cast<double>(i) - (links - 1) / 2.0);
+    const double quarter = std::numbers::pi / 2 * round;
+    const double angle = std::clamp(along, -quarter, quarter) / round;
+    const double down = std::abs(along) - std::min(std::abs(along), quarter);
+    const Vector3d place(round * std::sin(angle), 0, round * std::cos(angle) - down);
+    poses.push_back(turned(angle + std::numbers::pi / 2, Vector3d::UnitY(), place));
+    if (i > 0) neighbours.emplace_back(i - 1, i);
+  }
+  collide(state, std::move(shapes), std::move(poses), neighbours);
+}
+
+void box_on_cylinder(benchmark::State& state) {
+  pair_of_shapes(state, collision::Box{{0.06, 0.04, 0.02}},
+                 turned(0.3, Vector3d::UnitZ(), {0.005, 0, 0.0298}),
+                 collision::Cylinder{0.02, 0.04});
+}
+
+void cylinder_on_cylinder(benchmark::State& state) {
+  pair_of_shapes(state, collision::Cylinder{0.02, 0.2},
+                 turned(1.2, Vector3d::UnitX(), {0.0398, 0, 0}), collision::Cylinder{0.02, 0.2});
+}
+
+void ring_on_ring(benchmark::State& state) {
+  const collision::Ring ring = round_ring(0.02, 0.0015);
+  pair_of_shapes(state, ring, turned(1.4, Vector3d::UnitX(), {0.0373, 0.0004, 0.0003}), ring);
+}
+
+void ring_on_ring_as_meshes(benchmark::State& state) {
+  const collision::Mesh mesh = mesh_of(round_ring(0.02, 0.0015), 12);
+  pair_of_shapes(state, mesh, turned(1.4, Vector3d::UnitX(), {0.0373, 0.0004, 0.0003}), mesh);
+}
+
+BENCHMARK(box_on_cylinder)->Unit(benchmark::kMicrosecond);
+BENCHMARK(cylinder_on_cylinder)->Unit(benchmark::kMicrosecond);
+BENCHMARK(ring_on_ring)->Unit(benchmark::kMicrosecond);
+BENCHMARK(ring_on_ring_as_meshes)->Unit(benchmark::kMicrosecond);
+BENCHMARK(chain_on_a_rod)->Unit(benchmark::kMicrosecond);
 
 BENCHMARK(positions_and_velocities)->Unit(benchmark::kMicrosecond);
 BENCHMARK(assembling)->Unit(benchmark::kMicrosecond);
