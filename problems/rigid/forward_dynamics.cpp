@@ -2,8 +2,11 @@
 
 #include <fmt/format.h>
 
+#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <stdexcept>
+
+#include "problems/rigid/assembly_plan.h"
 
 namespace lcp {
 
@@ -22,19 +25,21 @@ struct Transmission {
   Space T, F;
 };
 
-Transmission transmission(const Link& link, const Pose& pose, const Vector3d& r) {
+/// Of a joint at `r` (from O) whose frame is turned by R.
+Transmission transmission(JointKind kind, const Vector3d& axis_in_frame, const Matrix3d& R,
+                          const Vector3d& r) {
   Transmission joint;
   const auto forces_through = [&](Index column) {
     for (Index k = 0; k < 3; ++k) joint.T.col(column + k) = force_at(r, Vector3d::Unit(k));
   };
-  switch (link.joint) {
+  switch (kind) {
     case JointKind::fixed:
     case JointKind::prescribed:
       joint.T = Space::Identity(6, 6);
       joint.F.resize(6, 0);
       break;
     case JointKind::revolute: {
-      const Vector3d axis = pose.R * link.axis;
+      const Vector3d axis = R * axis_in_frame;
       const auto [first, second] = across(axis);
       joint.T = Space::Zero(6, 5);
       joint.T.col(0).head<3>() = first;
@@ -47,7 +52,7 @@ Transmission transmission(const Link& link, const Pose& pose, const Vector3d& r)
       joint.T = Space::Zero(6, 3);
       forces_through(0);
       joint.F = Space::Zero(6, 3);
-      joint.F.topRows<3>() = pose.R;
+      joint.F.topRows<3>() = R;
       break;
     case JointKind::free:
       break;
@@ -55,16 +60,11 @@ Transmission transmission(const Link& link, const Pose& pose, const Vector3d& r)
   return joint;
 }
 
-/// A part of the system: a body, or two parts and the joint between them. `open` are the bodies
-/// that later joints or callers still push.
-struct Part {
-  Index left = -1, right = -1;    ///< Parts joined; -1 for a body.
-  Index joint = -1;               ///< Link whose joint was closed.
-  std::vector<Index> open;        ///< Bodies, by link number; Link::world is one.
-  std::vector<Index> merged;      ///< Open bodies of left, then of right.
-  std::vector<Index> kept;        ///< Places in `merged` of `open`.
-  Index parent = -1, child = -1;  ///< Places in `merged` of the joint's bodies.
-  MatrixXd Phi;                   ///< Of `open`.
+/// A part of the plan with its numbers.
+struct Part : AssemblyPart {
+  explicit Part(AssemblyPart plan) : AssemblyPart(std::move(plan)) {}
+
+  MatrixXd Phi;  ///< Of `open`.
   VectorXd b;
   MatrixXd g;  ///< 6 |merged| x 6.
   Matrix6d W = Matrix6d::Zero();
@@ -72,104 +72,23 @@ struct Part {
   VectorXd force;                 ///< On `merged` (joint) or on the body, during disassembly.
 };
 
-/// A joint between two bodies, as the plan sees it.
-struct Edge {
-  Index parent, child;
-};
+using Small = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::ColMajor, 6, 6>;
 
-/// Orders the joints into a balanced tree of parts.
-class Planner {
- public:
-  Planner(const Model& model, const std::vector<Index>& handles) : handles_(handles) {
-    for (Index i = 0; i < model.size(); ++i)
-      if (model.link(i).joint != JointKind::free) edges_.push_back({model.link(i).parent, i});
+/// Inverse of a symmetric positive semidefinite matrix on its range, relative to `scale`, > 0: the
+/// diagonal of what it would be if nothing were redundant. Directions whose eigenvalue so scaled is
+/// below `tolerance` are left out.
+Small inverse_on_range(const Small& gamma, const Small& scale, double tolerance) {
+  const Eigen::Vector<double, Eigen::Dynamic> unit = scale.diagonal().cwiseSqrt().cwiseInverse();
+  const Eigen::SelfAdjointEigenSolver<Small> scaled(
+      Small(unit.asDiagonal() * gamma * unit.asDiagonal()));
+  Small inverse = Small::Zero(gamma.rows(), gamma.cols());
+  for (Index i = 0; i < gamma.rows(); ++i) {
+    if (!(scaled.eigenvalues()(i) > tolerance)) continue;
+    const auto direction = scaled.eigenvectors().col(i).cwiseProduct(unit);
+    inverse += direction * direction.transpose() / scaled.eigenvalues()(i);
   }
-
-  /// Appends the parts that `bodies`, connected by joints, are assembled from; the whole comes last.
-  void plan(const std::vector<Index>& bodies, std::vector<Part>& parts) const {
-    if (bodies.size() == 1) {
-      Part part;
-      part.open = bodies;
-      parts.push_back(std::move(part));
-      return;
-    }
-    const Edge cut = halving_edge(bodies);
-    const std::vector<Index> beyond = reach(cut.child, cut, bodies);
-    std::vector<Index> rest;
-    for (const Index body : bodies)
-      if (!contains(beyond, body)) rest.push_back(body);
-    Part part;
-    plan(rest, parts);
-    part.left = static_cast<Index>(parts.size()) - 1;
-    plan(beyond, parts);
-    part.right = static_cast<Index>(parts.size()) - 1;
-    part.joint = cut.child;
-    part.merged = parts[part.left].open;
-    part.merged.insert(part.merged.end(), parts[part.right].open.begin(),
-                       parts[part.right].open.end());
-    for (Index place = 0; place < static_cast<Index>(part.merged.size()); ++place) {
-      const Index body = part.merged[place];
-      if (body == cut.parent) part.parent = place;
-      if (body == cut.child) part.child = place;
-      if (!stays_open(body, bodies)) continue;
-      part.kept.push_back(place);
-      part.open.push_back(body);
-    }
-    parts.push_back(std::move(part));
-  }
-
-  /// Bodies that joints connect with `start`.
-  std::vector<Index> connected(Index start) const { return reach(start, {-2, -2}, {}); }
-
- private:
-  static bool contains(const std::vector<Index>& bodies, Index body) {
-    return std::find(bodies.begin(), bodies.end(), body) != bodies.end();
-  }
-
-  /// Bodies reachable from `start` without the edge `cut`, inside `within` (empty: anywhere).
-  std::vector<Index> reach(Index start, const Edge& cut, const std::vector<Index>& within) const {
-    std::vector<Index> found{start};
-    for (std::size_t next = 0; next < found.size(); ++next) {
-      for (const Edge& edge : edges_) {
-        if (edge.parent == cut.parent && edge.child == cut.child) continue;
-        for (const auto& [from, to] :
-             {std::pair(edge.parent, edge.child), {edge.child, edge.parent}})
-          if (from == found[next] && !contains(found, to) &&
-              (within.empty() || contains(within, to)))
-            found.push_back(to);
-      }
-    }
-    std::sort(found.begin(), found.end());
-    return found;
-  }
-
-  Edge halving_edge(const std::vector<Index>& bodies) const {
-    Edge best{};
-    std::size_t least = bodies.size();
-    for (const Edge& edge : edges_) {
-      if (!contains(bodies, edge.parent) || !contains(bodies, edge.child)) continue;
-      const std::size_t beyond = reach(edge.child, edge, bodies).size();
-      const std::size_t larger = std::max(beyond, bodies.size() - beyond);
-      if (larger < least) {
-        least = larger;
-        best = edge;
-      }
-    }
-    return best;
-  }
-
-  /// Whether anything outside `bodies` will push `body`.
-  bool stays_open(Index body, const std::vector<Index>& bodies) const {
-    if (contains(handles_, body)) return true;
-    return std::any_of(edges_.begin(), edges_.end(), [&](const Edge& edge) {
-      return (edge.parent == body && !contains(bodies, edge.child)) ||
-             (edge.child == body && !contains(bodies, edge.parent));
-    });
-  }
-
-  const std::vector<Index>& handles_;
-  std::vector<Edge> edges_;
-};
+  return inverse;
+}
 
 }  // namespace
 
@@ -186,25 +105,18 @@ void check_handles(const Model& model, const std::vector<Index>& handles,
 
 class ForwardDynamics::Impl {
  public:
-  Impl(const Model& model, std::vector<Index> handles)
-      : model_(model), handles_(std::move(handles)) {
+  Impl(const Model& model, std::vector<Index> handles, const AssemblyOptions& options)
+      : model_(model), handles_(std::move(handles)), options_(options) {
     check_handles(model, handles_, "forward dynamics");
-    const Planner planner(model_, handles_);
-    std::vector<bool> planned(model.size(), false);
-    for (Index i = 0; i < model.size(); ++i) {
-      if (planned[i]) continue;
-      const std::vector<Index> bodies = planner.connected(i);
-      for (const Index body : bodies)
-        if (body != Link::world) planned[body] = true;
-      planner.plan(bodies, parts_);
-      roots_.push_back(static_cast<Index>(parts_.size()) - 1);
-    }
+    AssemblyPlan plan = plan_assembly(model_, handles_);
+    for (AssemblyPart& part : plan.parts) parts_.emplace_back(std::move(part));
+    roots_ = std::move(plan.roots);
   }
 
   void assemble(const Kinematics& k, const VectorXd& torques, const Vector3d& gravity) {
     kinematics_ = k;
     for (Part& part : parts_) {
-      if (part.left < 0)
+      if (part.is_body())
         set_body(part, gravity);
       else
         join(part, torques);
@@ -244,14 +156,14 @@ class ForwardDynamics::Impl {
     }
     // Parts come before what they are part of, so this goes from the whole to the bodies.
     for (auto part = parts_.rbegin(); part != parts_.rend(); ++part) {
-      if (part->left < 0) {
-        if (part->open.front() != Link::world)
+      if (part->is_body()) {
+        if (!is_world(part->open.front()))
           found.links[part->open.front()] = part->Phi * part->force + part->b;
         continue;
       }
       const Index left = 6 * static_cast<Index>(parts_[part->left].open.size());
       push(parts_[part->left], part->force.head(left));
-      push(parts_[part->right], part->force.tail(part->force.size() - left));
+      if (part->right >= 0) push(parts_[part->right], part->force.tail(part->force.size() - left));
     }
     set_joint_accelerations(found);
     return found;
@@ -260,55 +172,58 @@ class ForwardDynamics::Impl {
   const std::vector<Index>& handles() const { return handles_; }
 
  private:
+  /// Inverse inertia at O of a body by itself.
+  Matrix6d mobility(Index body) const {
+    if (is_world(body)) return Matrix6d::Zero();
+    const Link& link = model_.link(body);
+    const Pose& pose = kinematics_.pose[body];
+    return inverse_spatial_inertia(link.mass, kinematics_.from_origin(pose * link.centre),
+                                   pose.R * model_.inverse_inertia(body) * pose.R.transpose());
+  }
+
   void set_body(Part& part, const Vector3d& gravity) {
     const Index i = part.open.front();
-    if (i == Link::world) {
+    if (is_world(i)) {
       part.Phi.setZero(6, 6);
       part.b.setZero(6);
       return;
     }
     const Link& link = model_.link(i);
-    const Matrix3d& R = kinematics_.pose[i].R;
     const Vector3d c = kinematics_.from_origin(kinematics_.pose[i] * link.centre);
     const Vector6d& v = kinematics_.velocity[i];
-    part.Phi = inverse_spatial_inertia(link.mass, c, R * model_.inverse_inertia(i) * R.transpose());
+    part.Phi = mobility(i);
     const Vector6d h = link_inertia(model_, kinematics_, i) * v;
     part.b = part.Phi * (force_at(c, link.mass * gravity) - cross_force(v, h));
   }
 
   void join(Part& part, const VectorXd& torques) {
-    const Part &left = parts_[part.left], &right = parts_[part.right];
-    const Index size_left = left.b.size(), size = size_left + right.b.size();
+    const Part& left = parts_[part.left];
+    const Part* right = part.right >= 0 ? &parts_[part.right] : nullptr;
+    const Index size_left = left.b.size(), size = size_left + (right ? right->b.size() : 0);
     const Index p = 6 * part.parent, c = 6 * part.child;
 
     // Before the joint is closed the two sides do not feel one another.
     VectorXd& b = merged_b_;
     b.resize(size);
-    b << left.b, right.b;
+    b.head(size_left) = left.b;
+    if (right) b.tail(size - size_left) = right->b;
     part.g.setZero(size, 6);
     const auto add_column = [&](Index place, double sign) {
       if (place < size_left)
         part.g.topRows(size_left) += sign * left.Phi.middleCols<6>(place);
       else
-        part.g.bottomRows(size - size_left) += sign * right.Phi.middleCols<6>(place - size_left);
+        part.g.bottomRows(size - size_left) += sign * right->Phi.middleCols<6>(place - size_left);
     };
     add_column(c, 1);
     add_column(p, -1);
 
-    const Link& link = model_.link(part.joint);
-    const Pose& pose = kinematics_.pose[part.joint];
-    const Transmission joint = transmission(link, pose, kinematics_.from_origin(pose.p));
     const Matrix6d Q = part.g.middleRows<6>(c) - part.g.middleRows<6>(p);
-    using Small = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::ColMajor, 6, 6>;
-    const Small gamma = joint.T.transpose() * Q * joint.T;
-    const Small weighted = gamma.llt().solve(Small(joint.T.transpose()));
-    const Matrix6d W = joint.T * weighted;
-    part.W = 0.5 * (W + W.transpose());
+    const Transmission joint = transmission_of(part.joint);
+    part.W = constraint_stiffness(part, joint.T, Q);
     Vector6d drive = Vector6d::Zero();
     if (joint.F.cols() > 0)
       drive = joint.F * torques.segment(model_.u_of(part.joint), joint.F.cols());
-    part.f = drive - part.W * (Q * drive + b.segment<6>(c) - b.segment<6>(p) -
-                               kinematics_.sigma[part.joint]);
+    part.f = drive - part.W * (Q * drive + b.segment<6>(c) - b.segment<6>(p) - sigma(part.joint));
 
     const Index kept = static_cast<Index>(part.kept.size());
     part.Phi.setZero(6 * kept, 6 * kept);
@@ -323,16 +238,53 @@ class ForwardDynamics::Impl {
         if (at < size_left && to < size_left)
           block += left.Phi.block<6, 6>(at, to);
         else if (at >= size_left && to >= size_left)
-          block += right.Phi.block<6, 6>(at - size_left, to - size_left);
+          block += right->Phi.block<6, 6>(at - size_left, to - size_left);
         part.Phi.block<6, 6>(6 * i, 6 * j) = block;
         if (i != j) part.Phi.block<6, 6>(6 * j, 6 * i) = block.transpose();
       }
     }
   }
 
+  bool is_loop(Index joint) const { return joint >= model_.size(); }
+
+  Transmission transmission_of(Index joint) const {
+    if (is_loop(joint)) {
+      const Loop& loop = model_.loops()[joint - model_.size()];
+      const Pose& pose = kinematics_.loops[joint - model_.size()].pose;
+      Transmission found =
+          transmission(loop.joint, loop.axis, pose.R, kinematics_.from_origin(pose.p));
+      found.F.resize(6, 0);  // no torque acts in it
+      return found;
+    }
+    const Link& link = model_.link(joint);
+    const Pose& pose = kinematics_.pose[joint];
+    return transmission(link.joint, link.axis, pose.R, kinematics_.from_origin(pose.p));
+  }
+
+  const Vector6d& sigma(Index joint) const {
+    return is_loop(joint) ? kinematics_.loops[joint - model_.size()].sigma
+                          : kinematics_.sigma[joint];
+  }
+
+  /// W = T Gamma^-1 T', or T Gamma^+ T' where the joint may hold what is held already.
+  Matrix6d constraint_stiffness(const Part& part, const Space& T, const Matrix6d& Q) const {
+    const Small gamma = T.transpose() * Q * T;
+    Small weighted;
+    if (part.redundant) {
+      const Matrix6d free = mobility(part.merged[part.child]) + mobility(part.merged[part.parent]);
+      weighted = inverse_on_range(0.5 * (gamma + gamma.transpose()), T.transpose() * free * T,
+                                  options_.redundancy) *
+                 T.transpose();
+    } else {
+      weighted = gamma.llt().solve(Small(T.transpose()));
+    }
+    const Matrix6d W = T * weighted;
+    return 0.5 * (W + W.transpose());
+  }
+
   /// Sets the forces inside a part on which `outer` (6 |open|) acts.
   static void push(Part& part, const VectorXd& outer) {
-    if (part.left < 0) {
+    if (part.is_body()) {
       part.force = outer;
       return;
     }
@@ -371,14 +323,16 @@ class ForwardDynamics::Impl {
 
   const Model& model_;
   std::vector<Index> handles_;
+  AssemblyOptions options_;
   std::vector<Part> parts_;
   std::vector<Index> roots_;
   Kinematics kinematics_;
   VectorXd merged_b_;
 };
 
-ForwardDynamics::ForwardDynamics(const Model& model, std::vector<Index> handles)
-    : impl_(std::make_unique<Impl>(model, std::move(handles))) {}
+ForwardDynamics::ForwardDynamics(const Model& model, std::vector<Index> handles,
+                                 const AssemblyOptions& options)
+    : impl_(std::make_unique<Impl>(model, std::move(handles), options)) {}
 ForwardDynamics::~ForwardDynamics() = default;
 ForwardDynamics::ForwardDynamics(ForwardDynamics&&) noexcept = default;
 ForwardDynamics& ForwardDynamics::operator=(ForwardDynamics&&) noexcept = default;

@@ -25,6 +25,13 @@ struct Accelerations {
   std::vector<Vector6d> links;  ///< Spatial acceleration of each link at O.
 };
 
+struct AssemblyOptions {
+  /// Directions in which a loop's joint answers less than this share of what the two bodies would
+  /// by themselves are held already: the joint transmits nothing along them. Closing planar loops of
+  /// hinges leaves three such directions at rounding, about 1e-12.
+  double redundancy = 1e-10;
+};
+
 /// Forward dynamics by assembly and disassembly (ADA): two subassemblies with handles joined by a
 /// joint become one, until the system is one assembly whose handles are those asked for; then the
 /// joints' forces follow in reverse order.
@@ -35,7 +42,10 @@ struct Accelerations {
 ///
 /// where p and c are parent and child, T (6 x constraints) spans the forces a joint transmits,
 /// T'S = 0, and F its torques, S'F = 1. A prescribed or fixed joint transmits all, T = 1. A free
-/// link's joint transmits none and is never assembled. The world is a body with Phi = 0.
+/// link's joint transmits none and is never assembled. The world is a body with Phi = 0. The joint of
+/// a loop is closed by the same formula where both p and c belong to one assembly; where links may
+/// be held twice Gamma^-1 is the inverse on the range of Gamma, and the joint force the least of
+/// those that hold, each component measured by how the two bodies by themselves would answer to it.
 ///
 /// Source: K. Yamane, Y. Nakamura, "Efficient Parallel Dynamics Computation of Human Figures", ICRA
 /// 2002; R. Featherstone, IJRR 18 (1999), 867-892. Cost: per joint O(h^2) products of 6 x 6 blocks
@@ -44,9 +54,10 @@ struct Accelerations {
 /// left as noise (about 1e-12 of the largest entry, either sign).
 class ForwardDynamics {
  public:
-  /// `handles` are links, ascending; `model` must outlive this. Throws std::invalid_argument when one does not exist or is
-  /// repeated.
-  ForwardDynamics(const Model& model, std::vector<Index> handles);
+  /// `handles` are links, ascending; `model` must outlive this. Throws std::invalid_argument when one
+  /// does not exist or is repeated.
+  ForwardDynamics(const Model& model, std::vector<Index> handles,
+                  const AssemblyOptions& options = {});
   ~ForwardDynamics();
   ForwardDynamics(ForwardDynamics&&) noexcept;
   ForwardDynamics& operator=(ForwardDynamics&&) noexcept;

@@ -50,6 +50,44 @@ Space motion_space(const Link& link, const Pose& pose, const Vector3d& r) {
   return S;
 }
 
+/// Turn that takes the first rotation to the second, about an axis of the world.
+Vector3d turn_between(const Matrix3d& from, const Matrix3d& to) {
+  const Eigen::AngleAxisd turn(Matrix3d(to * from.transpose()));
+  return turn.angle() * turn.axis();
+}
+
+LoopKinematics loop_kinematics(const Loop& loop, const Kinematics& k) {
+  const auto placed = [&](Index link, const Pose& in_link) {
+    return link == Link::world ? in_link : k.pose[link] * in_link;
+  };
+  LoopKinematics found;
+  found.pose = placed(loop.link1, loop.in_link1);
+  const Pose other = placed(loop.link2, loop.in_link2);
+  const Vector6d first =
+      loop.link1 == Link::world ? Vector6d::Zero().eval() : k.velocity[loop.link1];
+  const Vector6d relative = k.velocity[loop.link2] - first;
+  const Vector3d r = k.from_origin(found.pose.p), spin = relative.head<3>();
+
+  Vector3d allowed = Vector3d::Zero(), turn = Vector3d::Zero();
+  if (loop.joint == JointKind::ball) {
+    allowed = spin;
+  } else if (loop.joint == JointKind::revolute) {
+    const Vector3d axis = found.pose.R * loop.axis;
+    allowed = axis.dot(spin) * axis;
+    turn = axis.cross(other.R * loop.axis);
+  } else {
+    turn = turn_between(found.pose.R, other.R);
+  }
+  const Vector3d apart = other.p - found.pose.p;
+  found.gap = apart.norm();
+  found.error = stack(turn, apart + r.cross(turn));
+  const Vector6d motion = stack(allowed, r.cross(allowed));
+  const double rate = loop.closing_rate;
+  found.sigma =
+      cross_motion(first, motion) - 2 * rate * (relative - motion) - rate * rate * found.error;
+  return found;
+}
+
 }  // namespace
 
 Kinematics kinematics(const Model& model, const State& state, const Vector3d& origin,
@@ -79,6 +117,7 @@ Kinematics kinematics(const Model& model, const State& state, const Vector3d& or
     k.sigma.push_back(cross_motion(parent, relative));
     if (link.joint == JointKind::prescribed) k.sigma[i] += k.S[i] * acceleration(next_prescribed++);
   }
+  for (const Loop& loop : model.loops()) k.loops.push_back(loop_kinematics(loop, k));
   return k;
 }
 

@@ -4,6 +4,15 @@
 
 namespace lcp {
 
+/// How a loop's joint stands at one instant.
+struct LoopKinematics {
+  Pose pose;       ///< Of the joint's frame in the world, on link 1.
+  Vector6d error;  ///< How far the joint is open, (angle; distance), at O: 0 where it is closed.
+  /// As Kinematics::sigma, of link 2 relative to link 1, with what closes the error.
+  Vector6d sigma;
+  double gap = 0;  ///< Distance of the joint's two points, m.
+};
+
 /// Where the links are and how they move at one instant; spatial vectors at `origin`, world axes.
 struct Kinematics {
   Vector3d origin = Vector3d::Zero();  ///< O in the world: near the system, which keeps digits.
@@ -13,6 +22,7 @@ struct Kinematics {
   /// What the velocities of joint and parent, and the reference motion of a prescribed joint, add:
   /// a_link = a_parent + S du/dt + sigma; a prescribed joint's S du/dt is in sigma.
   std::vector<Vector6d> sigma;
+  std::vector<LoopKinematics> loops;
 
   Vector3d from_origin(const Vector3d& position) const { return position - origin; }
 };

@@ -15,6 +15,10 @@ using Eigen::Quaterniond;
 /// (relative): rounding.
 constexpr double kRounding = 1e-9;
 
+bool is_rotation(const Matrix3d& R) {
+  return R.allFinite() && R.determinant() > 0 && (R.transpose() * R).isIdentity(kRounding);
+}
+
 void check_link(const std::vector<Link>& links, Index i) {
   const Link& link = links[i];
   const auto require = [&](bool holds, const std::string& what) {
@@ -29,13 +33,31 @@ void check_link(const std::vector<Link>& links, Index i) {
   require(std::abs(link.axis.norm() - 1) <= kRounding, "axis is not of unit length");
   require(link.centre.allFinite() && link.in_parent.p.allFinite(),
           "centre of mass or place in the parent is not finite");
-  const Matrix3d& R = link.in_parent.R;
-  require(R.allFinite() && R.determinant() > 0 && (R.transpose() * R).isIdentity(kRounding),
-          "frame in the parent is not a rotation");
+  require(is_rotation(link.in_parent.R), "frame in the parent is not a rotation");
   const bool symmetric = (link.inertia - link.inertia.transpose()).cwiseAbs().maxCoeff() <=
                          kRounding * link.inertia.cwiseAbs().maxCoeff();
   require(link.inertia.allFinite() && symmetric && link.inertia.llt().info() == Eigen::Success,
           "inertia is not symmetric and positive definite");
+}
+
+void check_loop(const std::vector<Loop>& loops, Index i, Index links) {
+  const Loop& loop = loops[i];
+  const auto require = [&](bool holds, const std::string& what) {
+    if (!holds) throw std::invalid_argument(fmt::format("loop {} '{}': {}", i, loop.name, what));
+  };
+  require(loop.link1 >= Link::world && loop.link1 < links && loop.link2 >= 0 &&
+              loop.link2 < links && loop.link1 != loop.link2,
+          fmt::format("joins {} and {}, expected two of the links 0 ... {}, the first perhaps -1 "
+                      "(the world)",
+                      loop.link1, loop.link2, links - 1));
+  require(loop.joint == JointKind::ball || loop.joint == JointKind::revolute ||
+              loop.joint == JointKind::fixed,
+          "the joint is neither ball nor revolute nor fixed");
+  require(std::abs(loop.axis.norm() - 1) <= kRounding, "axis is not of unit length");
+  for (const Pose* pose : {&loop.in_link1, &loop.in_link2})
+    require(pose->p.allFinite() && is_rotation(pose->R), "a frame is not finite and a rotation");
+  require(loop.closing_rate >= 0 && std::isfinite(loop.closing_rate),
+          fmt::format("closing rate is {} 1/s, expected at least 0", loop.closing_rate));
 }
 
 /// Where the quaternion of a joint begins among its coordinates; -1 without one.
@@ -90,7 +112,8 @@ Index velocities(JointKind kind) {
   return 0;
 }
 
-Model::Model(std::vector<Link> links) : links_(std::move(links)) {
+Model::Model(std::vector<Link> links, std::vector<Loop> loops)
+    : links_(std::move(links)), loops_(std::move(loops)) {
   for (Index i = 0; i < size(); ++i) {
     check_link(links_, i);
     q_of_.push_back(coordinates_);
@@ -100,6 +123,7 @@ Model::Model(std::vector<Link> links) : links_(std::move(links)) {
     inverse_inertia_.push_back(links_[i].inertia.inverse());
     if (links_[i].joint == JointKind::prescribed) prescribed_.push_back(i);
   }
+  for (Index i = 0; i < static_cast<Index>(loops_.size()); ++i) check_loop(loops_, i, size());
 }
 
 double Model::mass() const {

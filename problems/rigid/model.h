@@ -34,19 +34,35 @@ struct Link {
   static constexpr Index world = -1;
 };
 
+/// A joint between links that have their places already: it closes a loop, or ties a free link to
+/// something. It adds no coordinates; what it holds is kept by the dynamics, and errors that steps
+/// of finite length leave decay:
+///
+///     d2e/dt2 + 2 r de/dt + r^2 e = 0,   e: how far the two sides of the joint are apart.
+struct Loop {
+  std::string name;
+  JointKind joint = JointKind::ball;  ///< ball, revolute or fixed.
+  Index link1 = Link::world;          ///< Or a link.
+  Index link2 = 0;                    ///< Another link.
+  Pose in_link1 = {}, in_link2 = {};  ///< The joint's frame in each.
+  Vector3d axis = Vector3d::UnitZ();  ///< Unit, of a revolute joint, in both frames.
+  double closing_rate = 100;          ///< r, 1/s; 0: errors stay.
+};
+
 Index coordinates(JointKind kind);
 Index velocities(JointKind kind);
 
-/// Links with the places of their coordinates in the vectors q and u of the whole.
+/// Links with the places of their coordinates in the vectors q and u of the whole, and loops.
 class Model {
  public:
   /// Throws std::invalid_argument, naming the link, unless parents come first, free links have no
   /// parent, masses are positive, inertias symmetric and positive definite, axes of unit length,
-  /// frames rotations, and all numbers finite.
-  explicit Model(std::vector<Link> links);
+  /// frames rotations, and all numbers finite; likewise for loops, whose links must exist and differ.
+  explicit Model(std::vector<Link> links, std::vector<Loop> loops = {});
 
   const std::vector<Link>& links() const { return links_; }
   const Link& link(Index i) const { return links_[i]; }
+  const std::vector<Loop>& loops() const { return loops_; }
   Index size() const { return static_cast<Index>(links_.size()); }
   Index coordinates() const { return coordinates_; }
   Index velocities() const { return velocities_; }
@@ -62,6 +78,7 @@ class Model {
 
  private:
   std::vector<Link> links_;
+  std::vector<Loop> loops_;
   std::vector<Index> q_of_, u_of_, prescribed_;
   std::vector<Matrix3d> inverse_inertia_;
   Index coordinates_ = 0, velocities_ = 0;

@@ -75,8 +75,9 @@ void MaximalCoordinates::place(const State& state) {
 }
 
 void MaximalCoordinates::constrain(const VectorXd& acceleration) {
-  C_.setZero(6 * model_.size(), 6 * model_.size());
-  right_.setZero(6 * model_.size());
+  const Index most = 6 * (model_.size() + static_cast<Index>(model_.loops().size()));
+  C_.setZero(most, 6 * model_.size());
+  right_.setZero(most);
   Index rows = 0, next_prescribed = 0;
   for (Index i = 0; i < model_.size(); ++i) {
     const Link& link = model_.link(i);
@@ -112,8 +113,34 @@ void MaximalCoordinates::constrain(const VectorXd& acceleration) {
     else if (link.joint == JointKind::fixed)
       turning(Matrix3d::Identity(), Vector3d::Zero());
   }
+  constrain_loops(rows);
   C_.conservativeResize(rows, Eigen::NoChange);
   right_.conservativeResize(rows);
+}
+
+void MaximalCoordinates::constrain_loops(Index& rows) {
+  for (const Loop& loop : model_.loops()) {
+    const Body& second = bodies_[loop.link2];
+    const Vector3d point = second.p + second.R * loop.in_link2.p;
+    const Vector3d axis = second.R * loop.in_link2.R * loop.axis;
+    const Vector3d omega_1 =
+        loop.link1 == Link::world ? Vector3d::Zero().eval() : bodies_[loop.link1].omega;
+    MatrixXd across(3, 0);
+    if (loop.joint == JointKind::revolute) across = plane_across(axis);
+    if (loop.joint == JointKind::fixed) across = Matrix3d::Identity();
+    for (const auto& [link, sign] : {std::pair(loop.link2, 1.0), {loop.link1, -1.0}}) {
+      if (link == Link::world) continue;
+      const Body& b = bodies_[link];
+      const Vector3d r = point - b.c;
+      C_.block<3, 3>(rows, 6 * link) = -sign * cross_matrix(r);
+      C_.block<3, 3>(rows, 6 * link + 3) = sign * Matrix3d::Identity();
+      right_.segment<3>(rows) -= sign * b.omega.cross(b.omega.cross(r));
+      C_.block(rows + 3, 6 * link, across.cols(), 3) = sign * across.transpose();
+    }
+    right_.segment(rows + 3, across.cols()) =
+        across.transpose() * omega_1.cross(second.omega - omega_1);
+    rows += 3 + across.cols();
+  }
 }
 
 VectorXd MaximalCoordinates::solve(const VectorXd& forces, bool at_rest) const {

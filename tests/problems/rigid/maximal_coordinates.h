@@ -12,7 +12,8 @@ namespace lcp::cases {
 ///     the two points accelerate alike,
 ///     alpha_c - alpha_p = omega_p x (omega_c - omega_p) + (a turn about the axes that are free);
 ///
-/// multipliers act on both sides along the equations' rows. Solved densely:
+/// and likewise for each loop, whose joint must be closed and move as it may; multipliers act on both
+/// sides along the equations' rows. Solved densely, redundant equations included:
 ///
 ///     | M  -C' | | a      |   | forces |
 ///     | C   0  | | lambda | = | right  |
@@ -40,6 +41,7 @@ class MaximalCoordinates {
 
   void place(const State& state);
   void constrain(const VectorXd& acceleration);
+  void constrain_loops(Index& rows);
   /// Accelerations (alpha; a of the centre of mass) of all links under such forces on them.
   VectorXd solve(const VectorXd& forces, bool at_rest) const;
   VectorXd own_forces(const VectorXd& torques, const Vector3d& gravity) const;
@@ -54,7 +56,7 @@ class MaximalCoordinates {
   MatrixXd C_;
   VectorXd right_;
   MatrixXd system_;
-  Eigen::PartialPivLU<MatrixXd> factor_;
+  Eigen::CompleteOrthogonalDecomposition<MatrixXd> factor_;
 };
 
 }  // namespace lcp::cases
