@@ -51,10 +51,10 @@ Index violated_contacts(const ContactSolution& solution) {
 }
 
 /// One simulation: the solver's calls timed, its answers judged outside the clock.
-class Loop {
+class DrivenSimulation {
  public:
-  Loop(const NamedScene& scene, const NamedSolver& solver, const Acceptance& acceptance,
-       const FrameLook& look)
+  DrivenSimulation(const NamedScene& scene, const NamedSolver& solver, const Acceptance& acceptance,
+                   const FrameLook& look)
       : simulation_(scene.setup.system, scene.setup.stepping),
         solver_(solver),
         acceptance_(acceptance),
@@ -149,7 +149,7 @@ LoopRun run_in_the_loop(const NamedScene& scene, const NamedSolver& solver,
               .frames = {},
               .broken = {}};
   const Index steps = std::lround(run.duration / run.dt);
-  Loop loop(scene, solver, acceptance, look);
+  DrivenSimulation driven(scene, solver, acceptance, look);
   run.frames.reserve(steps);
   for (Index i = 0; i < steps; ++i) {
     if (interrupted) {
@@ -157,7 +157,7 @@ LoopRun run_in_the_loop(const NamedScene& scene, const NamedSolver& solver,
       break;
     }
     try {
-      run.frames.push_back(loop.step());
+      run.frames.push_back(driven.step());
     } catch (const SimulationBroke& error) {
       run.broken = error.what();
       break;

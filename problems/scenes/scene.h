@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "problems/collision/shape.h"
 #include "problems/rigid/simulation.h"
 #include "problems/scenes/link_box.h"
 #include "solvers/options.h"
@@ -15,8 +16,9 @@ namespace lcp {
 struct SceneSetup {
   System system;
   Stepping stepping;
-  double duration = 1;         ///< s.
-  std::vector<LinkBox> boxes;  ///< For pictures.
+  double duration = 1;                        ///< s.
+  std::vector<LinkBox> boxes;                 ///< For pictures.
+  std::vector<collision::Shape> shapes = {};  ///< Likewise.
 };
 
 /// A scene of the catalogue with its knobs set.
