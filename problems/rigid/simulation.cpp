@@ -17,7 +17,6 @@ Simulation::Simulation(System system, Stepping stepping)
     : system_(std::make_shared<const System>(std::move(system))),
       stepping_(std::move(stepping)),
       state_(system_->start),
-      no_torques_(VectorXd::Zero(system_->model.velocities())),
       dynamics_(system_->model, system_->handles) {
   const Model& model = system_->model;
   if (!(stepping_.dt > 0) || !std::isfinite(stepping_.dt))
@@ -32,6 +31,8 @@ Simulation::Simulation(System system, Stepping stepping)
     throw std::invalid_argument("simulation: the start is not finite");
   if (!model.prescribed().empty() && !system_->reference)
     throw std::invalid_argument("simulation: prescribed joints without a reference motion");
+  if (stepping_.composite && system_->pull)
+    throw std::invalid_argument("simulation: the composite body does not know what pulls at it");
   follow_reference(state_);
 }
 
@@ -43,8 +44,6 @@ void Simulation::step(const ContactSolver& solver, const std::function<void(cons
   if (!state_.q.allFinite() || !state_.u.allFinite()) throw broke();
   const Vector3d origin = kinematics_of(state_, Vector3d::Zero()).pose.front().p;
   const Kinematics here = kinematics_of(state_, origin);
-  dynamics_.assemble(here, no_torques_, system_->gravity);
-
   Frame frame{.number = number_,
               .state = state_,
               .kinematics = here,
@@ -52,7 +51,10 @@ void Simulation::step(const ContactSolver& solver, const std::function<void(cons
               .links = {},
               .contacts = {},
               .solution = {},
-              .link_forces = {}};
+              .link_forces = {},
+              .pulls = {}};
+  if (system_->pull) frame.pulls = system_->pull(state_.time, here);
+  assemble(state_, here, frame.pulls);
   frame.points = contact_points(here);
   frame.points_found = static_cast<Index>(frame.points.size());
   pose_contacts(frame);
@@ -130,9 +132,19 @@ void Simulation::solve(Frame& frame, const ContactSolver& solver) const {
   frame.link_forces = frame.links.J.transpose() * frame.solution.forces;  // (12)
 }
 
+void Simulation::assemble(const State& state, const Kinematics& k,
+                          const std::vector<PointForce>& pulls) {
+  std::vector<Vector6d> forces;
+  if (!pulls.empty()) forces.assign(system_->model.size(), Vector6d::Zero());
+  for (const PointForce& pull : pulls)
+    forces.at(pull.link) += force_at(k.from_origin(pull.position), pull.force);
+  dynamics_.assemble(k, damping_torques(system_->model, state.u), system_->gravity, forces);
+}
+
 VectorXd Simulation::accelerations(const State& state, const Vector3d& origin,
                                    const VectorXd& forces) {
-  dynamics_.assemble(kinematics_of(state, origin), no_torques_, system_->gravity);
+  const Kinematics k = kinematics_of(state, origin);
+  assemble(state, k, system_->pull ? system_->pull(state.time, k) : std::vector<PointForce>());
   return dynamics_.disassemble(forces).joints;
 }
 
