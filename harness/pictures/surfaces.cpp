@@ -12,9 +12,9 @@ namespace lcp {
 namespace {
 
 // Facets around; more would not show in pictures of that size.
-constexpr std::size_t kAroundSphere = 10, kAroundCapsule = 7, kAroundCylinder = 24, kAroundWire = 6;
+constexpr std::size_t kAroundSphere = 12, kAroundCapsule = 7, kAroundCylinder = 24, kAroundWire = 6;
 constexpr double kLongestMitre = 2;                      // over the wire's radius
-constexpr double kCrease = std::numbers::pi / 180 * 25;  // between triangles: an edge
+constexpr double kCrease = std::numbers::pi / 180 * 40;  // between triangles: an edge
 
 /// Points once around a body, counterclockwise about the direction to the next loop.
 using Loop = std::vector<Vector3d>;
@@ -63,16 +63,19 @@ Loop circle(double radius, double z, std::size_t around) {
   return loop;
 }
 
-/// Latitudes of 90 and 45 degrees and the equators.
-Piece capsule(double radius, double length, std::size_t around) {
-  const double middle = std::numbers::sqrt2 / 2 * radius;
+/// Half spheres have `rings` of facets from their equators to their poles.
+Piece capsule(double radius, double length, std::size_t around, int rings) {
   std::vector<Loop> loops;
   for (const double side : {-1.0, 1.0}) {
     const double end = side * length / 2;
-    std::vector<Loop> half = {Loop(around, Vector3d(0, 0, end + side * radius)),
-                              circle(middle, end + side * middle, around),
-                              circle(radius, end, around)};
-    if (side > 0) std::reverse(half.begin(), half.end());
+    std::vector<Loop> half = {circle(radius, end, around)};
+    for (int i = 1; i < rings; ++i) {
+      const double latitude = std::numbers::pi / 2 * i / rings;
+      half.push_back(
+          circle(radius * std::cos(latitude), end + side * radius * std::sin(latitude), around));
+    }
+    half.push_back(Loop(around, Vector3d(0, 0, end + side * radius)));
+    if (side < 0) std::reverse(half.begin(), half.end());
     loops.insert(loops.end(), half.begin(), half.end());
   }
   Piece piece;
@@ -185,10 +188,10 @@ std::vector<Piece> triangles(const collision::Mesh& mesh) {
 struct PiecesOf {
   std::vector<Piece> operator()(const collision::HalfSpace&) const { return {}; }
   std::vector<Piece> operator()(const collision::Sphere& sphere) const {
-    return {capsule(sphere.radius, 0, kAroundSphere)};
+    return {capsule(sphere.radius, 0, kAroundSphere, 3)};
   }
   std::vector<Piece> operator()(const collision::Capsule& it) const {
-    return {capsule(it.radius, it.length, kAroundCapsule)};
+    return {capsule(it.radius, it.length, kAroundCapsule, 2)};
   }
   std::vector<Piece> operator()(const collision::Ring& ring) const { return Wire(ring).pieces(); }
   std::vector<Piece> operator()(const collision::Box& it) const { return {box(it.edges)}; }
