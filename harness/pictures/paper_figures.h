@@ -40,8 +40,8 @@ std::vector<FilmedScene> figure_4_scenes();
 /// fig4.{svg,gp,dat} with a row of pictures per scene, without contacts.
 ///
 /// Returns the runs, up to the interrupted one: then nothing is written. A scene that broke has the
-/// moments before. Throws std::invalid_argument when there is no scene or a moment is not within its
-/// duration, and UnwritableOutput, before the simulations where that can be known.
+/// moments before. Throws std::invalid_argument when there is no scene or a moment is not within
+/// its duration, and UnwritableOutput, before the simulations where that can be known.
 std::vector<LoopRun> write_figure_4(const std::filesystem::path& directory,
                                     std::vector<FilmedScene> filmed, const NamedSolver& solver,
                                     const Acceptance& acceptance, const FrameLook& look,

@@ -16,9 +16,9 @@ struct SceneBody {
 };
 
 /// Every shape of the scene but half-spaces, in the colour of links that may touch something (two
-/// of them, in turn along chains and from one free body to the next), of other links or of the world,
-/// and for links without a shape bones from their joint to those of their children, or to their
-/// centre of mass where they have none.
+/// of them, in turn along chains and from one free body to the next), of other links or of the
+/// world, and for links without a shape bones from their joint to those of their children, or to
+/// their centre of mass where they have none.
 std::vector<SceneBody> scene_bodies(const SceneSetup& setup);
 
 /// Whether the half-space z <= 0 of the world is among the shapes.

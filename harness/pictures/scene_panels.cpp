@@ -209,9 +209,9 @@ void ScenePanels::paint_whole(std::string& data, const Piece& piece) const {
     add_polygon(data, line, kEdge, piece.front().body);
 }
 
-/// Facets with their edges: the next facet may hide them. Cuts are stroked in the face's own colour,
-/// or they would shine through as hairlines; a little short of their ends, where they would break
-/// the outline.
+/// Facets with their edges: the next facet may hide them. Cuts are stroked in the face's own
+/// colour, or they would shine through as hairlines; a little short of their ends, where they would
+/// break the outline.
 void ScenePanels::paint_cut(std::string& data, const Piece& facets) const {
   const double line = kEdgeWidth / pixels_per_metre_;
   for (const Facet& facet : facets) {

@@ -47,8 +47,8 @@ class ScenePanels {
     std::size_t first_set = 0;  ///< Of data() in the file.
   };
 
-  /// Commands that draw the panels on a page of that size (pixels), in a multiplot; DATA is the file
-  /// that holds data().
+  /// Commands that draw the panels on a page of that size (pixels), in a multiplot; DATA is the
+  /// file that holds data().
   std::string script(double page_width, double page_height, const Place& place = {0, 0}) const;
 
  private:

@@ -27,8 +27,8 @@ inline std::optional<double> nearness(const Facet& facet, const Camera& camera,
   return facet.normal.dot(facet.corners.front() - start) / facet.normal.dot(camera.towards_viewer);
 }
 
-/// Looks at points `step` apart around the middle of the picture, as far as `reach`: where facets of
-/// `all` are seen, the last of `painted` there must be the nearest. Returns the number of such
+/// Looks at points `step` apart around the middle of the picture, as far as `reach`: where facets
+/// of `all` are seen, the last of `painted` there must be the nearest. Returns the number of such
 /// points.
 inline int expect_nearest_on_top(const std::vector<Facet>& all, const std::vector<Facet>& painted,
                                  const Camera& camera, double reach, double step) {

@@ -82,10 +82,10 @@ TEST(PaperFigures, RefuseASceneWithoutTwoFeetAndAPlaceThatIsNone) {
 TEST(PaperFigures, ARowOfMomentsPerScene) {
   const TemporaryDirectory directory;
   const std::atomic<bool> interrupted = false;
+  const NamedScene squat = short_squat();
   Index looked = 0;
   const std::vector<LoopRun> runs = write_figure_4(
-      directory.file("figures"),
-      {{short_squat(), {0, 0.01, 0.02}, -52}, {short_squat(), {0.03}, 20}},
+      directory.file("figures"), {{squat, {0, 0.01, 0.02}, -52}, {squat, {0.03}, 20}},
       make_solver("best-first"), {},
       [&](const Simulation&, const Frame&, const FrameRecord&) { ++looked; }, interrupted);
   ASSERT_EQ(runs.size(), 2u);
@@ -102,14 +102,14 @@ TEST(PaperFigures, RowsOfMomentsRefuseTimesBeyondTheSceneAndStopWhenInterrupted)
   const TemporaryDirectory directory;
   std::atomic<bool> interrupted = false;
   const NamedSolver solver = make_solver("best-first");
-  EXPECT_THROW(
-      write_figure_4(directory.path(), {{short_squat(), {0.07}, 0}}, solver, {}, {}, interrupted),
-      std::invalid_argument);
+  const NamedScene squat = short_squat();
+  EXPECT_THROW(write_figure_4(directory.path(), {{squat, {0.07}, 0}}, solver, {}, {}, interrupted),
+               std::invalid_argument);
   EXPECT_THROW(write_figure_4(directory.path(), {}, solver, {}, {}, interrupted),
                std::invalid_argument);
   const std::vector<LoopRun> runs = write_figure_4(
-      directory.file("figures"), {{short_squat(), {0.02}, 0}, {short_squat(), {0.02}, 0}}, solver,
-      {}, [&](const Simulation&, const Frame&, const FrameRecord&) { interrupted = true; },
+      directory.file("figures"), {{squat, {0.02}, 0}, {squat, {0.02}, 0}}, solver, {},
+      [&](const Simulation&, const Frame&, const FrameRecord&) { interrupted = true; },
       interrupted);
   EXPECT_EQ(runs.size(), 1u);
   EXPECT_TRUE(std::filesystem::is_empty(directory.file("figures")));

@@ -103,8 +103,8 @@ TEST(ScenePicture, LinksWithoutAShapeAreBones) {
 /// A chain of three capsules that hangs from the origin below a beam, without a floor.
 NamedScene hanging_chain() {
   std::vector<Link> links;
-  NamedScene scene = make_scene("squat");
-  scene.setup.shapes = {{collision::Cylinder{0.05, 100}, Link::world, {}}};
+  std::vector<collision::Shape> shapes = {{collision::Cylinder{0.05, 100}, Link::world, {}}};
+  shapes.front().in_link.R = Eigen::AngleAxisd(M_PI / 2, Vector3d::UnitX()).matrix();
   for (Index i = 0; i < 3; ++i) {
     links.push_back({.name = std::to_string(i),
                      .parent = i - 1,
@@ -113,13 +113,14 @@ NamedScene hanging_chain() {
                      .mass = 1,
                      .centre = {0, 0, -0.25},
                      .inertia = Matrix3d::Identity()});
-    scene.setup.shapes.push_back(
-        {collision::Capsule{0.04, 0.5}, i, {Matrix3d::Identity(), {0, 0, -0.25}}});
+    shapes.push_back({collision::Capsule{0.04, 0.5}, i, {Matrix3d::Identity(), {0, 0, -0.25}}});
   }
-  scene.setup.shapes.front().in_link.R = Eigen::AngleAxisd(M_PI / 2, Vector3d::UnitX()).matrix();
-  scene.setup.system.model = Model(std::move(links));
-  scene.setup.system.handles = {0, 1, 2};
-  return scene;
+  const Model model(std::move(links));
+  return {.spelling = "chain",
+          .info = {},
+          .setup = {.system = {.model = model, .start = state_at_zero(model), .handles = {0, 1, 2}},
+                    .stepping = {},
+                    .shapes = shapes}};
 }
 
 Snapshot at_rest(const NamedScene& scene) {

@@ -12,7 +12,8 @@ namespace {
 
 using namespace collision;
 
-/// Facets must be flat, turned as their normals say, and enclose a volume: their area vectors cancel.
+/// Facets must be flat, turned as their normals say, and enclose a volume: their area vectors
+/// cancel.
 void expect_closed(const std::vector<Piece>& pieces) {
   Vector3d sum = Vector3d::Zero();
   for (const Piece& piece : pieces)
