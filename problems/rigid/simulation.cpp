@@ -17,8 +17,8 @@ Simulation::Simulation(System system, Stepping stepping)
     : system_(std::make_shared<const System>(std::move(system))),
       stepping_(std::move(stepping)),
       state_(system_->start),
-      no_torques_(VectorXd::Zero(system_->model.velocities())),
-      dynamics_(system_->model, system_->handles) {
+      dynamics_(system_->model, system_->handles),
+      later_stages_(system_->model, {}) {
   const Model& model = system_->model;
   if (!(stepping_.dt > 0) || !std::isfinite(stepping_.dt))
     throw std::invalid_argument(
@@ -32,6 +32,8 @@ Simulation::Simulation(System system, Stepping stepping)
     throw std::invalid_argument("simulation: the start is not finite");
   if (!model.prescribed().empty() && !system_->reference)
     throw std::invalid_argument("simulation: prescribed joints without a reference motion");
+  if (stepping_.composite && system_->pull)
+    throw std::invalid_argument("simulation: the composite body does not know what pulls at it");
   follow_reference(state_);
 }
 
@@ -43,8 +45,6 @@ void Simulation::step(const ContactSolver& solver, const std::function<void(cons
   if (!state_.q.allFinite() || !state_.u.allFinite()) throw broke();
   const Vector3d origin = kinematics_of(state_, Vector3d::Zero()).pose.front().p;
   const Kinematics here = kinematics_of(state_, origin);
-  dynamics_.assemble(here, no_torques_, system_->gravity);
-
   Frame frame{.number = number_,
               .state = state_,
               .kinematics = here,
@@ -52,7 +52,10 @@ void Simulation::step(const ContactSolver& solver, const std::function<void(cons
               .links = {},
               .contacts = {},
               .solution = {},
-              .link_forces = {}};
+              .link_forces = {},
+              .pulls = {}};
+  if (system_->pull) frame.pulls = system_->pull(state_.time, here);
+  assemble(dynamics_, state_, here, frame.pulls, {});
   frame.points = contact_points(here);
   frame.points_found = static_cast<Index>(frame.points.size());
   pose_contacts(frame);
@@ -130,10 +133,23 @@ void Simulation::solve(Frame& frame, const ContactSolver& solver) const {
   frame.link_forces = frame.links.J.transpose() * frame.solution.forces;  // (12)
 }
 
+void Simulation::assemble(ForwardDynamics& dynamics, const State& state, const Kinematics& k,
+                          const std::vector<PointForce>& pulls, std::vector<Vector6d> more) const {
+  if (!pulls.empty()) more.resize(system_->model.size(), Vector6d::Zero());
+  for (const PointForce& pull : pulls)
+    more.at(pull.link) += force_at(k.from_origin(pull.position), pull.force);
+  dynamics.assemble(k, damping_torques(system_->model, state.u), system_->gravity, more);
+}
+
 VectorXd Simulation::accelerations(const State& state, const Vector3d& origin,
                                    const VectorXd& forces) {
-  dynamics_.assemble(kinematics_of(state, origin), no_torques_, system_->gravity);
-  return dynamics_.disassemble(forces).joints;
+  const Kinematics k = kinematics_of(state, origin);
+  std::vector<Vector6d> on_links(system_->model.size(), Vector6d::Zero());
+  Index next = 0;
+  for (const Index handle : system_->handles) on_links[handle] = forces.segment<6>(6 * next++);
+  const auto pulls = system_->pull ? system_->pull(state.time, k) : std::vector<PointForce>();
+  assemble(later_stages_, state, k, pulls, std::move(on_links));
+  return later_stages_.disassemble(VectorXd(0)).joints;
 }
 
 void Simulation::move_by_runge_kutta(const VectorXd& first_stage, const Vector3d& origin,

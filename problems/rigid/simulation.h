@@ -9,6 +9,12 @@
 
 namespace lcp {
 
+/// A force at a point of a link.
+struct PointForce {
+  Index link = 0;
+  Vector3d position, force;  ///< m, N, world axes.
+};
+
 /// A system to simulate: bodies, where they start, what drives them and where they touch.
 struct System {
   Model model;
@@ -19,6 +25,8 @@ struct System {
   /// Points at which links touch; ids name bodies as body_of. Their normal velocities are filled in.
   /// May stay empty where nothing ever touches.
   std::function<std::vector<ContactPoint>(const Kinematics&)> collide = {};
+  /// Forces that pull at links besides gravity and contacts. May stay empty where none do.
+  std::function<std::vector<PointForce>(double time, const Kinematics&)> pull = {};
   double mu = 0.5;                      ///< Of every contact.
   Vector3d gravity = {0, 0, -9.80665};  ///< m/s^2.
 };
@@ -52,6 +60,7 @@ struct Frame {
   ContactProblem contacts;  ///< Empty where nothing touches, and so are the following.
   ContactSolution solution;
   VectorXd link_forces;  ///< 6N on the handles, at kinematics.origin.
+  std::vector<PointForce> pulls;
 
   /// Force of contact i on its body 1, N, world axes.
   Vector3d force(Index i) const;
@@ -66,7 +75,8 @@ struct SimulationBroke : std::runtime_error {
 class Simulation {
  public:
   /// Throws std::invalid_argument on a system that its parts refuse, without links, or whose start
-  /// has another shape or is not finite; prescribed joints without a reference; dt not positive.
+  /// has another shape or is not finite; prescribed joints without a reference; dt not positive;
+  /// the composite body's matrices where something pulls.
   Simulation(System system, Stepping stepping);
 
   const System& system() const { return *system_; }
@@ -90,6 +100,9 @@ class Simulation {
   std::vector<ContactPoint> contact_points(const Kinematics& kinematics) const;
   void pose_contacts(Frame& frame) const;
   void solve(Frame& frame, const ContactSolver& solver) const;
+  /// Assembles the system under what acts on it but contacts, and `more` (6) on each link, if any.
+  void assemble(ForwardDynamics& dynamics, const State& state, const Kinematics& kinematics,
+                const std::vector<PointForce>& pulls, std::vector<Vector6d> more) const;
   VectorXd accelerations(const State& state, const Vector3d& origin, const VectorXd& forces);
   void move_by_runge_kutta(const VectorXd& first_stage, const Vector3d& origin,
                            const VectorXd& forces);
@@ -99,8 +112,8 @@ class Simulation {
   Stepping stepping_;
   State state_;
   Index number_ = 0;
-  VectorXd no_torques_;
   ForwardDynamics dynamics_;
+  ForwardDynamics later_stages_;  ///< Without handles: contact forces are known by then.
 };
 
 }  // namespace lcp
