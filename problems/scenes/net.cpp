@@ -186,6 +186,7 @@ SceneSetup set_up(const NetKnobs& knobs) {
                      .collide = touching(parts.shapes, parts.joined, knobs.surfaces),
                      .mu = knobs.stepping.mu},
           .stepping = knobs.stepping.stepping(),
+          .length = kLinks * kLength,
           .duration = 2,
           .shapes = parts.shapes};
 }

@@ -160,6 +160,7 @@ SceneSetup set_up(const RingKnobs& knobs) {
                      .collide = std::move(collide),
                      .mu = knobs.stepping.mu},
           .stepping = knobs.stepping.stepping(),
+          .length = period * static_cast<double>(knobs.wires),
           .duration = 4,
           .shapes = std::move(shapes)};
 }
