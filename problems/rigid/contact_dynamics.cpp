@@ -25,13 +25,13 @@ Index handle_place(const std::vector<Index>& handles, Index link) {
   return place - handles.begin();
 }
 
-ContactProblem without_matrix(const LinkContacts& contacts, const HandleDynamics& dynamics,
-                              double dt, const PositionCorrection& correction) {
+ContactProblem without_matrix(const LinkContacts& contacts, const VectorXd& phi, double dt,
+                              const PositionCorrection& correction) {
   ContactProblem problem;
   problem.contacts = contacts.contacts;
   problem.dt = dt;
   problem.v_before = contacts.velocity;
-  problem.vbar = contacts.velocity + dt * (contacts.J * dynamics.phi + contacts.velocity_product);
+  problem.vbar = contacts.velocity + dt * (contacts.J * phi + contacts.velocity_product);
   for (Index i = 0; i < contacts.depth.size(); ++i)
     problem.vbar(3 * i) -= correction.gain * std::max(0.0, contacts.depth(i)) / dt;
   return problem;
@@ -75,19 +75,14 @@ LinkContacts link_contacts(const std::vector<ContactPoint>& points, double mu, c
 
 ContactProblem contact_problem(const LinkContacts& contacts, const HandleDynamics& dynamics,
                                double dt, const PositionCorrection& correction) {
-  ContactProblem problem = without_matrix(contacts, dynamics, dt, correction);
+  ContactProblem problem = without_matrix(contacts, dynamics.phi, dt, correction);
   problem.W = dt * (contacts.J * dynamics.Phi * contacts.J.transpose());
   return problem;
 }
 
-ContactProblem contact_problem(const LinkContacts& contacts, const HandleDynamics& dynamics,
-                               const Matrix6d& inertia_factor, double dt,
-                               const PositionCorrection& correction) {
-  ContactProblem problem = without_matrix(contacts, dynamics, dt, correction);
-  // All handles move as one: J acts on the sum of their columns.
-  MatrixXd J = MatrixXd::Zero(contacts.J.rows(), 6);
-  for (Index h = 0; h < contacts.J.cols() / 6; ++h) J += contacts.J.middleCols<6>(6 * h);
-  const MatrixXd A = inertia_factor.triangularView<Eigen::Lower>().solve(MatrixXd(J.transpose()));
+ContactProblem contact_problem(const LinkContacts& contacts, const VectorXd& phi, const MatrixXd& A,
+                               double dt, const PositionCorrection& correction) {
+  ContactProblem problem = without_matrix(contacts, phi, dt, correction);
   problem.W = delassus_matrix(A, dt);
   return problem;
 }

@@ -7,58 +7,11 @@
 #include <stdexcept>
 
 #include "problems/rigid/assembly_plan.h"
+#include "problems/rigid/transmission.h"
 
 namespace lcp {
 
 namespace {
-
-/// Two perpendicular unit vectors across `axis`.
-std::pair<Vector3d, Vector3d> across(const Vector3d& axis) {
-  Index least;
-  axis.cwiseAbs().minCoeff(&least);
-  const Vector3d first = axis.cross(Vector3d::Unit(least)).normalized();
-  return {first, axis.cross(first)};
-}
-
-/// What a joint transmits: T, and F with S'F = 1.
-struct Transmission {
-  Space T, F;
-};
-
-/// Of a joint at `r` (from O) whose frame is turned by R.
-Transmission transmission(JointKind kind, const Vector3d& axis_in_frame, const Matrix3d& R,
-                          const Vector3d& r) {
-  Transmission joint;
-  const auto forces_through = [&](Index column) {
-    for (Index k = 0; k < 3; ++k) joint.T.col(column + k) = force_at(r, Vector3d::Unit(k));
-  };
-  switch (kind) {
-    case JointKind::fixed:
-    case JointKind::prescribed:
-      joint.T = Space::Identity(6, 6);
-      joint.F.resize(6, 0);
-      break;
-    case JointKind::revolute: {
-      const Vector3d axis = R * axis_in_frame;
-      const auto [first, second] = across(axis);
-      joint.T = Space::Zero(6, 5);
-      joint.T.col(0).head<3>() = first;
-      joint.T.col(1).head<3>() = second;
-      forces_through(2);
-      joint.F = stack(axis, Vector3d::Zero());
-      break;
-    }
-    case JointKind::ball:
-      joint.T = Space::Zero(6, 3);
-      forces_through(0);
-      joint.F = Space::Zero(6, 3);
-      joint.F.topRows<3>() = R;
-      break;
-    case JointKind::free:
-      break;
-  }
-  return joint;
-}
 
 /// A part of the plan with its numbers.
 struct Part : AssemblyPart {
@@ -172,15 +125,6 @@ class ForwardDynamics::Impl {
   const std::vector<Index>& handles() const { return handles_; }
 
  private:
-  /// Inverse inertia at O of a body by itself.
-  Matrix6d mobility(Index body) const {
-    if (is_world(body)) return Matrix6d::Zero();
-    const Link& link = model_.link(body);
-    const Pose& pose = kinematics_.pose[body];
-    return inverse_spatial_inertia(link.mass, kinematics_.from_origin(pose * link.centre),
-                                   pose.R * model_.inverse_inertia(body) * pose.R.transpose());
-  }
-
   void set_body(Part& part, const Vector3d& gravity) {
     const Index i = part.open.front();
     if (is_world(i)) {
@@ -191,7 +135,7 @@ class ForwardDynamics::Impl {
     const Link& link = model_.link(i);
     const Vector3d c = kinematics_.from_origin(kinematics_.pose[i] * link.centre);
     const Vector6d& v = kinematics_.velocity[i];
-    part.Phi = mobility(i);
+    part.Phi = link_mobility(model_, kinematics_, i);
     const Vector6d h = link_inertia(model_, kinematics_, i) * v;
     part.b = part.Phi * (force_at(c, link.mass * gravity) - cross_force(v, h));
   }
@@ -248,17 +192,8 @@ class ForwardDynamics::Impl {
   bool is_loop(Index joint) const { return joint >= model_.size(); }
 
   Transmission transmission_of(Index joint) const {
-    if (is_loop(joint)) {
-      const Loop& loop = model_.loops()[joint - model_.size()];
-      const Pose& pose = kinematics_.loops[joint - model_.size()].pose;
-      Transmission found =
-          transmission(loop.joint, loop.axis, pose.R, kinematics_.from_origin(pose.p));
-      found.F.resize(6, 0);  // no torque acts in it
-      return found;
-    }
-    const Link& link = model_.link(joint);
-    const Pose& pose = kinematics_.pose[joint];
-    return transmission(link.joint, link.axis, pose.R, kinematics_.from_origin(pose.p));
+    return is_loop(joint) ? loop_transmission(model_, kinematics_, joint - model_.size())
+                          : link_transmission(model_, kinematics_, joint);
   }
 
   const Vector6d& sigma(Index joint) const {
@@ -271,7 +206,8 @@ class ForwardDynamics::Impl {
     const Small gamma = T.transpose() * Q * T;
     Small weighted;
     if (part.redundant) {
-      const Matrix6d free = mobility(part.merged[part.child]) + mobility(part.merged[part.parent]);
+      const Matrix6d free = link_mobility(model_, kinematics_, part.merged[part.child]) +
+                            link_mobility(model_, kinematics_, part.merged[part.parent]);
       weighted = inverse_on_range(0.5 * (gamma + gamma.transpose()), T.transpose() * free * T,
                                   options_.redundancy) *
                  T.transpose();

@@ -18,8 +18,10 @@ Simulation::Simulation(System system, Stepping stepping)
       stepping_(std::move(stepping)),
       state_(system_->start),
       no_torques_(VectorXd::Zero(system_->model.velocities())),
-      dynamics_(system_->model, system_->handles) {
+      dynamics_(system_->model, system_->handles),
+      joint_space_(system_->model, system_->handles) {
   const Model& model = system_->model;
+  if (lcp::moves_as_one_body(model)) composite_.emplace(model, system_->handles);
   if (!(stepping_.dt > 0) || !std::isfinite(stepping_.dt))
     throw std::invalid_argument(
         fmt::format("simulation: dt is {} s, expected a positive time", stepping_.dt));
@@ -73,10 +75,16 @@ void Simulation::step(const ContactSolver& solver, const std::function<void(cons
   ++number_;
 }
 
-ContactProblem Simulation::composite_contacts(const Frame& frame) const {
-  const CompositeBody body(system_->model, system_->handles);
-  return contact_problem(frame.links, body.handle_dynamics(frame.kinematics, system_->gravity),
-                         body.inertia_factor(frame.kinematics), stepping_.dt, stepping_.correction);
+ContactProblem Simulation::clean_contacts(const Frame& frame) const {
+  const Kinematics& k = frame.kinematics;
+  const MatrixXd& J = frame.links.J;
+  const auto problem = [&](const VectorXd& phi, const MatrixXd& A) {
+    return contact_problem(frame.links, phi, A, stepping_.dt, stepping_.correction);
+  };
+  if (composite_)
+    return problem(composite_->handle_dynamics(k, system_->gravity).phi,
+                   composite_->contact_factor(k, J));
+  return problem(dynamics_.handle_dynamics().phi, joint_space_.contact_factor(k, J));
 }
 
 JointMotion Simulation::reference(double time) const {
@@ -118,9 +126,10 @@ void Simulation::pose_contacts(Frame& frame) const {
     frame.points = std::move(kept);
   }
   frame.links = link_contacts(frame.points, system_->mu, frame.kinematics, system_->handles);
-  frame.contacts = stepping_.composite ? composite_contacts(frame)
-                                       : contact_problem(frame.links, dynamics_.handle_dynamics(),
-                                                         stepping_.dt, stepping_.correction);
+  frame.contacts = stepping_.matrix == Stepping::Matrix::clean
+                       ? clean_contacts(frame)
+                       : contact_problem(frame.links, dynamics_.handle_dynamics(), stepping_.dt,
+                                         stepping_.correction);
 }
 
 void Simulation::solve(Frame& frame, const ContactSolver& solver) const {

@@ -1,0 +1,66 @@
+#include "problems/rigid/transmission.h"
+
+namespace lcp {
+
+namespace {
+
+/// Two perpendicular unit vectors across `axis`.
+std::pair<Vector3d, Vector3d> across(const Vector3d& axis) {
+  Index least;
+  axis.cwiseAbs().minCoeff(&least);
+  const Vector3d first = axis.cross(Vector3d::Unit(least)).normalized();
+  return {first, axis.cross(first)};
+}
+
+/// Of a joint at `r` (from O) whose frame is turned by R.
+Transmission transmission(JointKind kind, const Vector3d& axis_in_frame, const Matrix3d& R,
+                          const Vector3d& r) {
+  Transmission joint;
+  const auto forces_through = [&](Index column) {
+    for (Index k = 0; k < 3; ++k) joint.T.col(column + k) = force_at(r, Vector3d::Unit(k));
+  };
+  switch (kind) {
+    case JointKind::fixed:
+    case JointKind::prescribed:
+      joint.T = Space::Identity(6, 6);
+      joint.F.resize(6, 0);
+      break;
+    case JointKind::revolute: {
+      const Vector3d axis = R * axis_in_frame;
+      const auto [first, second] = across(axis);
+      joint.T = Space::Zero(6, 5);
+      joint.T.col(0).head<3>() = first;
+      joint.T.col(1).head<3>() = second;
+      forces_through(2);
+      joint.F = stack(axis, Vector3d::Zero());
+      break;
+    }
+    case JointKind::ball:
+      joint.T = Space::Zero(6, 3);
+      forces_through(0);
+      joint.F = Space::Zero(6, 3);
+      joint.F.topRows<3>() = R;
+      break;
+    case JointKind::free:
+      break;
+  }
+  return joint;
+}
+
+}  // namespace
+
+Transmission link_transmission(const Model& model, const Kinematics& k, Index i) {
+  const Link& link = model.link(i);
+  const Pose& pose = k.pose[i];
+  return transmission(link.joint, link.axis, pose.R, k.from_origin(pose.p));
+}
+
+Transmission loop_transmission(const Model& model, const Kinematics& k, Index i) {
+  const Loop& loop = model.loops()[i];
+  const Pose& pose = k.loops[i].pose;
+  Transmission found = transmission(loop.joint, loop.axis, pose.R, k.from_origin(pose.p));
+  found.F.resize(6, 0);
+  return found;
+}
+
+}  // namespace lcp
