@@ -2,12 +2,24 @@
 
 #include <fmt/format.h>
 
-#include <cmath>
 #include <stdexcept>
 
 #include "problems/rigid/transmission.h"
 
 namespace lcp {
+
+namespace {
+
+/// Q'B for the orthonormal columns Q across the range of C, whose directions count as redundant
+/// where the square of what the others leave of them is below `redundancy`.
+MatrixXd what_is_left(const MatrixXd& C, MatrixXd B, double redundancy) {
+  const Eigen::ColPivHouseholderQR<MatrixXd> held(C);
+  const Index rank = (held.matrixQR().diagonal().array().square() > redundancy).count();
+  B.applyOnTheLeft(held.householderQ().setLength(rank).adjoint());
+  return B.bottomRows(B.rows() - rank);
+}
+
+}  // namespace
 
 JointSpace::JointSpace(const Model& model, std::vector<Index> handles,
                        const AssemblyOptions& options)
@@ -53,8 +65,9 @@ MatrixXd JointSpace::of_joints(const Kinematics& k, MatrixXd of_links) const {
   return found;
 }
 
-/// G, each row scaled so that the two links by themselves would answer to a unit force along it by 1:
-/// rows of angles and of lengths become comparable, and what a row answers is the share of that.
+/// G, each row scaled so that the two links by themselves would answer by 1 to a unit force along
+/// it: rows of angles and of lengths become comparable, and what a row answers is the share of
+/// that.
 MatrixXd JointSpace::loop_rates(const Kinematics& k) const {
   MatrixXd of_links(0, 6 * model_->size());
   for (Index i = 0; i < static_cast<Index>(model_->loops().size()); ++i) {
@@ -89,12 +102,7 @@ MatrixXd JointSpace::contact_factor(const Kinematics& k, const MatrixXd& J) cons
 
   MatrixXd C = loop_rates(k).transpose();
   factor.matrixL().solveInPlace(C);
-  const Eigen::ColPivHouseholderQR<MatrixXd> held(C);
-  // Squares of R's diagonal are what directions answer while those before them hold.
-  const double least = std::sqrt(options_.redundancy);
-  const Index rank = (held.matrixQR().diagonal().array().abs() > least).count();
-  B.applyOnTheLeft(held.householderQ().setLength(rank).adjoint());
-  return B.bottomRows(velocities_ - rank);
+  return what_is_left(C, std::move(B), options_.redundancy);
 }
 
 }  // namespace lcp

@@ -9,21 +9,21 @@ namespace lcp {
 ///
 ///     M = L L',   B = L^-1 (J K)',   C = L^-1 G',   A = Q'B,   Q'Q = 1, C'Q = 0,
 ///
-/// where K (6N x velocities) maps u to the handles' velocities and G u = 0 (constraints x velocities)
-/// holds the loops closed. The columns of Q span what C leaves free, so that A'A =
-/// B'(1 - C C^+) B; C may be redundant. A has as many rows as the system has freedoms.
+/// where K (6N x n) maps u to the handles' velocities and G u = 0 (c x n) holds the loops closed.
+/// The columns of Q span what C leaves free, so that A'A = B'(1 - C C^+) B; C may be redundant. A
+/// has as many rows as the system has freedoms.
 ///
-/// A'A is symmetric and positive semidefinite up to rounding of its entries, and of a rank no higher
-/// than the number of freedoms; what rounding changes is the system, by about 1e-16 cond(M) relative.
-/// Cost for n velocities, l links, m rows of J, c constraints: O(l depth) for M, n^3/3 for L, n^2 (m +
-/// c) for B and C, 2 n c (m + c) for Q and A; O(l m) for the columns of J K.
+/// A'A is symmetric and positive semidefinite up to rounding of its entries, and of a rank no
+/// higher than the number of freedoms; what rounding changes is the system, by about 1e-16 cond(M)
+/// relative. Cost for l links and m rows of J: O(l depth) for M, n^3/3 for L, n^2 (m + c) for B and
+/// C, 2 n c (m + c) for Q and A, O(l m) for J K.
 ///
-/// Source: R. Featherstone, Rigid Body Dynamics Algorithms (2008), 6.2 (M by composite bodies), 8.5 and
-/// 8.9 (loops).
+/// Source: R. Featherstone, Rigid Body Dynamics Algorithms (2008), 6.2 (M by composite bodies) and
+/// 8 (loops).
 class JointSpace {
  public:
-  /// Of `options` only the redundancy counts, with the same meaning: a direction of a loop's joint that
-  /// answers less than this share once others hold is held already. `model` must outlive this. Throws
+  /// `options.redundancy` means the same: a direction of a loop's joint that answers less than this
+  /// share once others hold is held already. `model` must outlive this. Throws
   /// std::invalid_argument on handles as ForwardDynamics does.
   JointSpace(const Model& model, std::vector<Index> handles, const AssemblyOptions& options = {});
 

@@ -13,14 +13,15 @@ namespace lcp {
 /// the program, what stands there is readable.
 ///
 /// A frame with contact gives the frictional and the frictionless LCP, each with the contact matrix
-/// of the ADA and with its clean twin (Simulation::clean_contacts), unless the scene is simulated with
-/// that one: of the composite body where the system moves as one body, else of the joint space.
+/// of the ADA and with its clean twin (Simulation::clean_contacts), unless the scene is simulated
+/// with that one: of the composite body where the system moves as one body, else of the joint
+/// space.
 ///
 ///     SCENE/00042                SCENE+composite/00042                or SCENE+joint-space/00042
 ///     SCENE+frictionless/00042   SCENE+composite+frictionless/00042      ...
 ///
-/// Provenance: scene, time, driver, predecessor, applied, contact_ids, W ("assembly and disassembly",
-/// "composite body" or "joint space").
+/// Provenance: scene, time, driver, predecessor, applied, contact_ids, W ("assembly and
+/// disassembly", "composite body" or "joint space").
 class CorpusDump {
  public:
   /// `scene` and `driver` in full spelling. Throws UnwritableOutput when `directory` exists and is

@@ -90,7 +90,8 @@ void whole_step(benchmark::State& state) {
   for (auto _ : state) simulation.step(moment().solver);
 }
 
-/// 26 links of 3 cm on balls, the first of them in the world, bent a little; 34 contacts with the world.
+/// 26 links of 3 cm on balls, the first of them in the world, bent a little; 34 contacts with the
+/// world.
 struct BallChain {
   static constexpr Index links = 26, points = 34;
   Model model = chain();
