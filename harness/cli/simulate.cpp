@@ -25,6 +25,8 @@ struct SimulateArguments {
   std::string criterion = "residual";
   std::optional<double> tolerance;
   std::string dump, log, picture;
+  Index every = 1;
+  bool failed_only = false;
   std::vector<std::string> at;
   bool json = false;
 };
@@ -56,6 +58,11 @@ std::vector<double> picture_times(const std::vector<std::string>& at, double dur
   return times;
 }
 
+bool is_dumped(const SimulateArguments& arguments, const FrameRecord& record) {
+  if (arguments.failed_only && record.frictional == Verdict::solved) return false;
+  return record.frame % arguments.every == 0;
+}
+
 /// Refuses a picture that could not be written when the simulation is over.
 void check_picture(const std::string& picture) {
   const std::filesystem::path path(picture);
@@ -71,6 +78,8 @@ int simulate(const SimulateArguments& arguments) {
   if (!arguments.duration.empty()) scene.setup.duration = seconds(arguments.duration, "--duration");
   if (!arguments.dt.empty()) scene.setup.stepping.dt = seconds(arguments.dt, "--dt");
   const NamedSolver solver = make_solver(arguments.solver);
+  if (arguments.dump.empty() && (arguments.every != 1 || arguments.failed_only))
+    throw std::invalid_argument("--every, --failed-only: expected --dump DIR with them");
   if (!arguments.at.empty() && arguments.picture.empty())
     throw std::invalid_argument("--at: expected --picture FILE with it");
   std::optional<Snapshots> snapshots;
@@ -91,7 +100,7 @@ int simulate(const SimulateArguments& arguments) {
     run = run_in_the_loop(
         scene, solver, acceptance_of(arguments),
         [&](const Simulation& simulation, const Frame& frame, const FrameRecord& record) {
-          if (dump) dump->add(simulation, frame);
+          if (dump && is_dumped(arguments, record)) dump->add(simulation, frame);
           if (snapshots) snapshots->look(frame);
           bar.update({static_cast<std::size_t>(record.frame), steps, scene.spelling});
         },
@@ -138,6 +147,11 @@ Verb add_simulate(CLI::App& program) {
       ->check(CLI::PositiveNumber);
   page->add_option("--dump", arguments->dump,
                    "New directory for the LCPs of every frame, a corpus of HDF5 files");
+  page->add_option("--every", arguments->every, "Dump one frame in so many only")
+      ->check(CLI::PositiveNumber)
+      ->capture_default_str();
+  page->add_flag("--failed-only", arguments->failed_only,
+                 "Dump only frames whose frictional LCP failed");
   page->add_option("--log", arguments->log, "File for a line of CSV per frame");
   page->add_option("--picture", arguments->picture,
                    "File (.svg) for drawings of the scene; script and data are kept beside it");
@@ -153,7 +167,8 @@ Verb add_simulate(CLI::App& program) {
       "  lcpbench simulate squat:reduction=paper --solver lexicographic:delta=1e-8 --criterion "
       "paper\n"
       "  lcpbench simulate squat --picture squat.svg --at 0,0.25,0.5\n"
-      "  lcpbench simulate tap-dance --dump runs/tap --log runs/tap.csv");
+      "  lcpbench simulate tap-dance --dump runs/tap --log runs/tap.csv\n"
+      "  lcpbench simulate hoist --dump runs/hoist --every 100");
   return {page, [arguments] { return simulate(*arguments); }};
 }
 

@@ -121,4 +121,14 @@ Mesh mesh_of(const Cylinder& cylinder, Index around) {
   return mesh;
 }
 
+Mesh mesh_of(const Box& box) {
+  Mesh mesh;
+  for (int k = 0; k < 8; ++k)
+    mesh.vertices.push_back(Vector3d((k & 1) - 0.5, ((k >> 1) & 1) - 0.5, ((k >> 2) & 1) - 0.5)
+                                .cwiseProduct(box.edges));
+  mesh.triangles = {{0, 2, 3}, {0, 3, 1}, {4, 5, 7}, {4, 7, 6}, {0, 1, 5}, {0, 5, 4},
+                    {2, 6, 7}, {2, 7, 3}, {0, 4, 6}, {0, 6, 2}, {1, 3, 7}, {1, 7, 5}};
+  return mesh;
+}
+
 }  // namespace lcp::collision

@@ -12,30 +12,51 @@ namespace {
 /// Sine of the angle under which two segments count as parallel.
 constexpr double kParallel = 1e-9;
 
+/// Turn of a wire at a corner (cosine) up to which its segments stand for a curve. Where it turns
+/// more, the segments on both sides may each have a minimum of their own.
+const double kSmooth = std::cos(0.55);
+
 /// Where segment i of a wire is nearest to segment j of the other (0 for other solids).
 struct Nearest {
   Index i, j;
+  double s, t;      ///< Where on the segments, 0 ... 1.
   double distance;  ///< m, between centre lines or from the surface of a solid.
   Vector3d position, normal;
 };
 
-/// How many segments two of `count` on a closed line lie apart.
-Index steps_between(Index a, Index b, Index count) {
-  const Index apart = std::abs(a - b);
-  return std::min(apart, count - apart);
+/// For each segment of a wire whether the corner at its end is smooth.
+std::vector<bool> smooth_corners(const std::vector<Vector3d>& corners) {
+  const std::size_t count = corners.size();
+  std::vector<bool> smooth(count);
+  for (std::size_t i = 0; i < count; ++i) {
+    const Vector3d &a = corners[i], &b = corners[(i + 1) % count], &c = corners[(i + 2) % count];
+    smooth[i] = (b - a).dot(c - b) >= kSmooth * (b - a).norm() * (c - b).norm();
+  }
+  return smooth;
 }
 
-/// Adds those of `found`, in the order of (i, j), that no neighbouring pair of segments is nearer
-/// than. A minimum at a corner is found on both sides of it, equally far: the first counts.
-void add_local_minima(const std::vector<Nearest>& found, Index count_i, Index count_j, double reach,
+/// Whether the distance falls from `place` on segment a to segment b where b is nearer: b is a or its
+/// neighbour, and the corner between them is smooth or just where the place is.
+bool leads_to(Index a, Index b, double place, const std::vector<bool>& smooth) {
+  const Index count = static_cast<Index>(smooth.size());
+  if (a == b) return true;
+  if ((a + 1) % count == b) return smooth[a] || place >= 1;
+  if ((b + 1) % count == a) return smooth[b] || place <= 0;
+  return false;
+}
+
+/// Adds those of `found`, in the order of (i, j), from which no neighbouring pair of segments is
+/// nearer. A minimum at a corner is found on both sides of it, equally far: the first counts.
+void add_local_minima(const std::vector<Nearest>& found, const std::vector<bool>& smooth_i,
+                      const std::vector<bool>& smooth_j, double reach,
                       std::vector<Touch>& touches) {
   for (std::size_t a = 0; a < found.size(); ++a) {
     const Nearest& here = found[a];
     bool least = true;
     for (std::size_t b = 0; b < found.size() && least; ++b) {
       const Nearest& other = found[b];
-      if (a == b || steps_between(here.i, other.i, count_i) > 1 ||
-          steps_between(here.j, other.j, count_j) > 1)
+      if (a == b || !leads_to(here.i, other.i, here.s, smooth_i) ||
+          !leads_to(here.j, other.j, here.t, smooth_j))
         continue;
       least = b < a ? here.distance < other.distance : here.distance <= other.distance;
     }
@@ -124,12 +145,13 @@ void ring_on_ring(const Placed& first, const Placed& second, std::vector<Touch>&
         normal = x.along.cross(y.along);
         normal = normal.norm() > 0 ? Vector3d(normal.normalized()) : x.along.unitOrthogonal();
       }
-      found.push_back({x.number, y.number, distance,
+      found.push_back({x.number, y.number, s, t, distance,
                        on_second + (r2 - (reach - distance) / 2) * normal, normal});
     }
   }
-  add_local_minima(found, static_cast<Index>(first.corners.size()),
-                   static_cast<Index>(second.corners.size()), reach, touches);
+  if (found.empty()) return;
+  add_local_minima(found, smooth_corners(first.corners), smooth_corners(second.corners), reach,
+                   touches);
 }
 
 void ring_on_solid(const Placed& ring, const Placed& solid, std::vector<Touch>& touches) {
@@ -150,9 +172,11 @@ void ring_on_solid(const Placed& ring, const Placed& solid, std::vector<Touch>& 
     if (here.distance > radius) continue;
     if (here.normal.isZero()) here.normal = segment.along().unitOrthogonal();
     const Vector3d position = segment.point(s) - (here.distance + radius) / 2 * here.normal;
-    found.push_back({i, 0, here.distance, solid.pose * position, solid.pose.R * here.normal});
+    found.push_back(
+        {i, 0, s, 0.5, here.distance, solid.pose * position, solid.pose.R * here.normal});
   }
-  add_local_minima(found, count, 1, radius, touches);
+  if (found.empty()) return;
+  add_local_minima(found, smooth_corners(ring.corners), {true}, radius, touches);
 }
 
 }  // namespace lcp::collision

@@ -81,4 +81,7 @@ Mesh mesh_of(const Capsule& capsule, Index around, Index rings);
 /// 3.
 Mesh mesh_of(const Cylinder& cylinder, Index around);
 
+/// The same of a box: 2 triangles a face.
+Mesh mesh_of(const Box& box);
+
 }  // namespace lcp::collision

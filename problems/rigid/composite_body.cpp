@@ -59,7 +59,8 @@ HandleDynamics CompositeBody::handle_dynamics(const Kinematics& k, const Vector3
   const Vector6d first = -factor.solve(force);
 
   const Index n = static_cast<Index>(handles_.size());
-  HandleDynamics dynamics{Phi.replicate(n, n), VectorXd(6 * n)};
+  HandleDynamics dynamics{Phi.replicate(n, n), VectorXd(6 * n),
+                          std::vector<Vector3d>(n, Vector3d::Zero())};
   for (Index h = 0; h < n; ++h) dynamics.phi.segment<6>(6 * h) = first + relative[handles_[h]];
   return dynamics;
 }

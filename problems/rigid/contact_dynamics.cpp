@@ -25,13 +25,24 @@ Index handle_place(const std::vector<Index>& handles, Index link) {
   return place - handles.begin();
 }
 
-ContactProblem without_matrix(const LinkContacts& contacts, const VectorXd& phi, double dt,
+/// J for handle velocities at other points than O.
+MatrixXd from_points(MatrixXd J, const std::vector<Vector3d>& points) {
+  for (std::size_t h = 0; h < points.size(); ++h) {
+    const Index column = 6 * static_cast<Index>(h);
+    J.middleCols<3>(column) -= J.middleCols<3>(column + 3) * skew(points[h]).transpose();
+  }
+  return J;
+}
+
+/// `J` from velocities of the handles at the points of `dynamics`.
+ContactProblem without_matrix(const LinkContacts& contacts, const MatrixXd& J,
+                              const HandleDynamics& dynamics, double dt,
                               const PositionCorrection& correction) {
   ContactProblem problem;
   problem.contacts = contacts.contacts;
   problem.dt = dt;
   problem.v_before = contacts.velocity;
-  problem.vbar = contacts.velocity + dt * (contacts.J * phi + contacts.velocity_product);
+  problem.vbar = contacts.velocity + dt * (J * dynamics.phi + contacts.velocity_product);
   for (Index i = 0; i < contacts.depth.size(); ++i)
     problem.vbar(3 * i) -= correction.gain * std::max(0.0, contacts.depth(i)) / dt;
   return problem;
@@ -75,14 +86,16 @@ LinkContacts link_contacts(const std::vector<ContactPoint>& points, double mu, c
 
 ContactProblem contact_problem(const LinkContacts& contacts, const HandleDynamics& dynamics,
                                double dt, const PositionCorrection& correction) {
-  ContactProblem problem = without_matrix(contacts, dynamics.phi, dt, correction);
-  problem.W = dt * (contacts.J * dynamics.Phi * contacts.J.transpose());
+  const MatrixXd J = from_points(contacts.J, dynamics.points);
+  ContactProblem problem = without_matrix(contacts, J, dynamics, dt, correction);
+  problem.W = dt * (J * dynamics.Phi * J.transpose());
   return problem;
 }
 
-ContactProblem contact_problem(const LinkContacts& contacts, const VectorXd& phi, const MatrixXd& A,
-                               double dt, const PositionCorrection& correction) {
-  ContactProblem problem = without_matrix(contacts, phi, dt, correction);
+ContactProblem contact_problem(const LinkContacts& contacts, const HandleDynamics& dynamics,
+                               const MatrixXd& A, double dt, const PositionCorrection& correction) {
+  ContactProblem problem =
+      without_matrix(contacts, from_points(contacts.J, dynamics.points), dynamics, dt, correction);
   problem.W = delassus_matrix(A, dt);
   return problem;
 }

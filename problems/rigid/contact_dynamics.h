@@ -36,9 +36,9 @@ LinkContacts link_contacts(const std::vector<ContactPoint>& points, double mu,
 ContactProblem contact_problem(const LinkContacts& contacts, const HandleDynamics& dynamics,
                                double dt, const PositionCorrection& correction);
 
-/// The same from a factor A, J Phi J' = A'A (CompositeBody, JointSpace), and HandleDynamics's phi:
-/// W = dt A'A is symmetric and positive semidefinite up to rounding of its entries.
-ContactProblem contact_problem(const LinkContacts& contacts, const VectorXd& phi, const MatrixXd& A,
-                               double dt, const PositionCorrection& correction);
+/// The same from a factor A, J Phi J' = A'A (CompositeBody, JointSpace), instead of Phi: W = dt A'A
+/// is symmetric and positive semidefinite up to rounding of its entries.
+ContactProblem contact_problem(const LinkContacts& contacts, const HandleDynamics& dynamics,
+                               const MatrixXd& A, double dt, const PositionCorrection& correction);
 
 }  // namespace lcp

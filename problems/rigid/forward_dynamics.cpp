@@ -19,7 +19,8 @@ struct Part : AssemblyPart {
 
   MatrixXd Phi;  ///< Of `open`.
   VectorXd b;
-  MatrixXd g;  ///< 6 |merged| x 6.
+  MatrixXd g;                                                            ///< 6 |merged| x 6.
+  Vector3d child_arm = Vector3d::Zero(), parent_arm = Vector3d::Zero();  ///< To the joint.
   Matrix6d W = Matrix6d::Zero();
   Vector6d f = Vector6d::Zero();  ///< Joint force on the child without forces on `open`.
   VectorXd force;                 ///< On `merged` (joint) or on the body, during disassembly.
@@ -56,6 +57,19 @@ void check_handles(const Model& model, const std::vector<Index>& handles,
   }
 }
 
+HandleDynamics at_origin(const HandleDynamics& dynamics) {
+  HandleDynamics moved = dynamics;
+  const Index n = static_cast<Index>(dynamics.points.size());
+  for (Index i = 0; i < n; ++i) {
+    const Matrix6d X = moved_by(-dynamics.points[i]);
+    moved.Phi.middleRows<6>(6 * i) = (X * moved.Phi.middleRows<6>(6 * i)).eval();
+    moved.Phi.middleCols<6>(6 * i) = (moved.Phi.middleCols<6>(6 * i) * X.transpose()).eval();
+    moved.phi.segment<6>(6 * i) = (X * moved.phi.segment<6>(6 * i)).eval();
+    moved.points[i].setZero();
+  }
+  return moved;
+}
+
 class ForwardDynamics::Impl {
  public:
   Impl(const Model& model, std::vector<Index> handles, const AssemblyOptions& options)
@@ -66,11 +80,15 @@ class ForwardDynamics::Impl {
     roots_ = std::move(plan.roots);
   }
 
-  void assemble(const Kinematics& k, const VectorXd& torques, const Vector3d& gravity) {
+  void assemble(const Kinematics& k, const VectorXd& torques, const Vector3d& gravity,
+                const std::vector<Vector6d>& forces) {
+    if (!forces.empty() && forces.size() != static_cast<std::size_t>(model_.size()))
+      throw std::invalid_argument(fmt::format("assembly: forces on {} links, expected {} or none",
+                                              forces.size(), model_.size()));
     kinematics_ = k;
     for (Part& part : parts_) {
       if (part.is_body())
-        set_body(part, gravity);
+        set_body(part, gravity, forces);
       else
         join(part, torques);
     }
@@ -78,7 +96,8 @@ class ForwardDynamics::Impl {
 
   HandleDynamics handle_dynamics() const {
     const Index n = static_cast<Index>(handles_.size());
-    HandleDynamics dynamics{MatrixXd::Zero(6 * n, 6 * n), VectorXd::Zero(6 * n)};
+    HandleDynamics dynamics{MatrixXd::Zero(6 * n, 6 * n), VectorXd::Zero(6 * n), {}};
+    for (const Index handle : handles_) dynamics.points.push_back(point(handle));
     for (const Index root : roots_) {
       const Part& part = parts_[root];
       for (std::size_t i = 0; i < part.open.size(); ++i) {
@@ -104,14 +123,14 @@ class ForwardDynamics::Impl {
       VectorXd outer = VectorXd::Zero(6 * part.open.size());
       for (std::size_t i = 0; i < part.open.size(); ++i)
         if (const Index row = handle_place(part.open[i]); row >= 0)
-          outer.segment<6>(6 * i) = forces.segment<6>(6 * row);
+          outer.segment<6>(6 * i) = force_moved(forces.segment<6>(6 * row), point(part.open[i]));
       push(part, outer);
     }
     // Parts come before what they are part of, so this goes from the whole to the bodies.
     for (auto part = parts_.rbegin(); part != parts_.rend(); ++part) {
       if (part->is_body()) {
-        if (!is_world(part->open.front()))
-          found.links[part->open.front()] = part->Phi * part->force + part->b;
+        if (const Index i = part->open.front(); !is_world(i))
+          found.links[i] = motion_moved(part->Phi * part->force + part->b, -point(i));
         continue;
       }
       const Index left = 6 * static_cast<Index>(parts_[part->left].open.size());
@@ -125,7 +144,15 @@ class ForwardDynamics::Impl {
   const std::vector<Index>& handles() const { return handles_; }
 
  private:
-  void set_body(Part& part, const Vector3d& gravity) {
+  /// Where a link's forces and accelerations are taken, from O.
+  Vector3d point(Index link) const { return kinematics_.from_origin(kinematics_.pose[link].p); }
+
+  /// From there to `joint` (from O).
+  Vector3d arm(Index body, const Vector3d& joint) const {
+    return is_world(body) ? Vector3d::Zero().eval() : Vector3d(joint - point(body));
+  }
+
+  void set_body(Part& part, const Vector3d& gravity, const std::vector<Vector6d>& forces) {
     const Index i = part.open.front();
     if (is_world(i)) {
       part.Phi.setZero(6, 6);
@@ -133,11 +160,14 @@ class ForwardDynamics::Impl {
       return;
     }
     const Link& link = model_.link(i);
-    const Vector3d c = kinematics_.from_origin(kinematics_.pose[i] * link.centre);
-    const Vector6d& v = kinematics_.velocity[i];
+    const Matrix3d& R = kinematics_.pose[i].R;
+    const Vector3d c = R * link.centre;
+    const Vector6d v = motion_moved(kinematics_.velocity[i], point(i));
     part.Phi = link_mobility(model_, kinematics_, i);
-    const Vector6d h = link_inertia(model_, kinematics_, i) * v;
-    part.b = part.Phi * (force_at(c, link.mass * gravity) - cross_force(v, h));
+    const Vector6d h = spatial_inertia(link.mass, c, R * link.inertia * R.transpose()) * v;
+    Vector6d force = force_at(c, link.mass * gravity) - cross_force(v, h);
+    if (!forces.empty()) force += force_moved(forces[i], point(i));
+    part.b = part.Phi * force;
   }
 
   void join(Part& part, const VectorXd& torques) {
@@ -151,23 +181,29 @@ class ForwardDynamics::Impl {
     b.resize(size);
     b.head(size_left) = left.b;
     if (right) b.tail(size - size_left) = right->b;
+    const Vector3d at = joint_point(part.joint);
+    part.child_arm = arm(part.merged[part.child], at);
+    part.parent_arm = arm(part.merged[part.parent], at);
+    const Matrix6d to_child = moved_by(part.child_arm), to_parent = moved_by(part.parent_arm);
     part.g.setZero(size, 6);
-    const auto add_column = [&](Index place, double sign) {
+    const auto add_column = [&](Index place, const Matrix6d& X) {
       if (place < size_left)
-        part.g.topRows(size_left) += sign * left.Phi.middleCols<6>(place);
+        part.g.topRows(size_left) += left.Phi.middleCols<6>(place) * X.transpose();
       else
-        part.g.bottomRows(size - size_left) += sign * right->Phi.middleCols<6>(place - size_left);
+        part.g.bottomRows(size - size_left) +=
+            right->Phi.middleCols<6>(place - size_left) * X.transpose();
     };
-    add_column(c, 1);
-    add_column(p, -1);
+    add_column(c, to_child);
+    add_column(p, -to_parent);
 
-    const Matrix6d Q = part.g.middleRows<6>(c) - part.g.middleRows<6>(p);
+    const Matrix6d Q = to_child * part.g.middleRows<6>(c) - to_parent * part.g.middleRows<6>(p);
     const Transmission joint = transmission_of(part.joint);
     part.W = constraint_stiffness(part, joint.T, Q);
     Vector6d drive = Vector6d::Zero();
     if (joint.F.cols() > 0)
       drive = joint.F * torques.segment(model_.u_of(part.joint), joint.F.cols());
-    part.f = drive - part.W * (Q * drive + b.segment<6>(c) - b.segment<6>(p) - sigma(part.joint));
+    const Vector6d apart = to_child * b.segment<6>(c) - to_parent * b.segment<6>(p);
+    part.f = drive - part.W * (Q * drive + apart - motion_moved(sigma(part.joint), at));
 
     const Index kept = static_cast<Index>(part.kept.size());
     part.Phi.setZero(6 * kept, 6 * kept);
@@ -177,12 +213,13 @@ class ForwardDynamics::Impl {
       part.b.segment<6>(6 * j) = b.segment<6>(to) + part.g.middleRows<6>(to) * part.f;
       const Eigen::Matrix<double, 6, 6> pushed = part.W * part.g.middleRows<6>(to).transpose();
       for (Index i = 0; i <= j; ++i) {
-        const Index at = 6 * part.kept[i];
-        Matrix6d block = -part.g.middleRows<6>(at) * pushed;
-        if (at < size_left && to < size_left)
-          block += left.Phi.block<6, 6>(at, to);
-        else if (at >= size_left && to >= size_left)
-          block += right->Phi.block<6, 6>(at - size_left, to - size_left);
+        const Index from = 6 * part.kept[i];
+        Matrix6d block = -part.g.middleRows<6>(from) * pushed;
+        if (from < size_left && to < size_left)
+          block += left.Phi.block<6, 6>(from, to);
+        else if (from >= size_left && to >= size_left)
+          block += right->Phi.block<6, 6>(from - size_left, to - size_left);
+        if (i == j) block = (0.5 * (block + block.transpose())).eval();
         part.Phi.block<6, 6>(6 * i, 6 * j) = block;
         if (i != j) part.Phi.block<6, 6>(6 * j, 6 * i) = block.transpose();
       }
@@ -196,6 +233,11 @@ class ForwardDynamics::Impl {
                           : link_transmission(model_, kinematics_, joint);
   }
 
+  Vector3d joint_point(Index joint) const {
+    return is_loop(joint) ? kinematics_.from_origin(kinematics_.loops[joint - model_.size()].pose.p)
+                          : point(joint);
+  }
+
   const Vector6d& sigma(Index joint) const {
     return is_loop(joint) ? kinematics_.loops[joint - model_.size()].sigma
                           : kinematics_.sigma[joint];
@@ -206,8 +248,12 @@ class ForwardDynamics::Impl {
     const Small gamma = T.transpose() * Q * T;
     Small weighted;
     if (part.redundant) {
-      const Matrix6d free = link_mobility(model_, kinematics_, part.merged[part.child]) +
-                            link_mobility(model_, kinematics_, part.merged[part.parent]);
+      const auto at_joint = [&](Index place, const Vector3d& arm_of_joint) -> Matrix6d {
+        const Matrix6d X = moved_by(arm_of_joint);
+        return X * link_mobility(model_, kinematics_, part.merged[place]) * X.transpose();
+      };
+      const Matrix6d free =
+          at_joint(part.child, part.child_arm) + at_joint(part.parent, part.parent_arm);
       weighted = inverse_on_range(0.5 * (gamma + gamma.transpose()), T.transpose() * free * T,
                                   options_.redundancy) *
                  T.transpose();
@@ -230,8 +276,8 @@ class ForwardDynamics::Impl {
       part.force.segment<6>(6 * part.kept[i]) = outer.segment<6>(6 * i);
       f -= part.W * (part.g.middleRows<6>(6 * part.kept[i]).transpose() * outer.segment<6>(6 * i));
     }
-    part.force.segment<6>(6 * part.child) += f;
-    part.force.segment<6>(6 * part.parent) -= f;
+    part.force.segment<6>(6 * part.child) += force_moved(f, -part.child_arm);
+    part.force.segment<6>(6 * part.parent) -= force_moved(f, -part.parent_arm);
   }
 
   void set_joint_accelerations(Accelerations& found) const {
@@ -274,8 +320,8 @@ ForwardDynamics::ForwardDynamics(ForwardDynamics&&) noexcept = default;
 ForwardDynamics& ForwardDynamics::operator=(ForwardDynamics&&) noexcept = default;
 
 void ForwardDynamics::assemble(const Kinematics& kinematics, const VectorXd& torques,
-                               const Vector3d& gravity) {
-  impl_->assemble(kinematics, torques, gravity);
+                               const Vector3d& gravity, const std::vector<Vector6d>& forces) {
+  impl_->assemble(kinematics, torques, gravity, forces);
 }
 const std::vector<Index>& ForwardDynamics::handles() const { return impl_->handles(); }
 HandleDynamics ForwardDynamics::handle_dynamics() const { return impl_->handle_dynamics(); }

@@ -9,11 +9,19 @@ namespace lcp {
 
 /// How chosen links (handles) answer to forces on them, eqs. (9), (10):
 ///
-///     a = Phi F + phi,   a, F (6N): accelerations of and forces on the N handles, each (6) at O.
+///     a = Phi F + phi,   a, F (6N): accelerations of and forces on the N handles, each (6) at its
+///                        own point.
+///
+/// Near a light link entries of Phi at O grow with the square of its distance from O, and what they
+/// say of the link by itself is lost in their rounding; at points near the links it is not.
 struct HandleDynamics {
-  MatrixXd Phi;  ///< 6N x 6N, inverse articulated-body inertias; symmetric.
-  VectorXd phi;  ///< 6N, bias accelerations.
+  MatrixXd Phi;                  ///< 6N x 6N, inverse articulated-body inertias; symmetric.
+  VectorXd phi;                  ///< 6N, bias accelerations.
+  std::vector<Vector3d> points;  ///< N, from O; m.
 };
+
+/// The same with all points at O.
+HandleDynamics at_origin(const HandleDynamics& dynamics);
 
 /// Throws std::invalid_argument unless `handles` are links of the model, ascending. `where` begins the
 /// message.
@@ -40,7 +48,7 @@ struct AssemblyOptions {
 ///     f = F tau - W (Q F tau + b_c - b_p - sigma),                        force on the child
 ///     Phi'_ij = Phi_ij - g_i W g_j',   b'_i = b_i + g_i f,
 ///
-/// where p and c are parent and child, T (6 x constraints) spans the forces a joint transmits,
+/// all of g_i at the points of i, Q, T and f at the joint, where p and c are parent and child, T (6 x constraints) spans the forces a joint transmits,
 /// T'S = 0, and F its torques, S'F = 1. A prescribed or fixed joint transmits all, T = 1. A free
 /// link's joint transmits none and is never assembled. The world is a body with Phi = 0. The joint of
 /// a loop is closed by the same formula where both p and c belong to one assembly; where links may
@@ -63,11 +71,14 @@ class ForwardDynamics {
   ForwardDynamics& operator=(ForwardDynamics&&) noexcept;
 
   /// Assembles the system where it is. `torques` (as u; entries of prescribed and free joints are
-  /// not read) act in the joints, N m; `gravity` in m/s^2, world axes.
-  void assemble(const Kinematics& kinematics, const VectorXd& torques, const Vector3d& gravity);
+  /// not read) act in the joints, N m; `gravity` in m/s^2, world axes; `forces` on each link, (moment
+  /// about O; force), or none where empty. Throws std::invalid_argument where there is another number
+  /// of them.
+  void assemble(const Kinematics& kinematics, const VectorXd& torques, const Vector3d& gravity,
+                const std::vector<Vector6d>& forces = {});
 
   const std::vector<Index>& handles() const;
-  /// Of what was assembled last.
+  /// Of what was assembled last, each handle at the origin of its link's frame.
   HandleDynamics handle_dynamics() const;
 
   /// Disassembles what was assembled last, under `forces` (6N, at O) on the handles.

@@ -10,6 +10,26 @@ namespace lcp {
 
 namespace {
 
+/// Of each link, at the origin of its frame.
+std::vector<Matrix6d> own_inertias(const Model& model, const Kinematics& k) {
+  std::vector<Matrix6d> inertias;
+  for (Index i = 0; i < model.size(); ++i) {
+    const Link& link = model.link(i);
+    const Matrix3d& R = k.pose[i].R;
+    inertias.push_back(
+        spatial_inertia(link.mass, R * link.centre, R * link.inertia * R.transpose()));
+  }
+  return inertias;
+}
+
+/// S of a joint at its own point.
+Space own_motions(const Model& model, const Kinematics& k, Index i) {
+  if (model.link(i).joint == JointKind::free) return Space::Identity(6, 6);
+  Space S = k.S[i];
+  S.bottomRows<3>().setZero();
+  return S;
+}
+
 /// Q'B for the orthonormal columns Q across the range of C, whose directions count as redundant
 /// where the square of what the others leave of them is below `redundancy`.
 MatrixXd what_is_left(const MatrixXd& C, MatrixXd B, double redundancy) {
@@ -36,19 +56,25 @@ Index JointSpace::columns(Index link) const {
   return kind == JointKind::prescribed ? 0 : lcp::velocities(kind);
 }
 
-/// M_ij = S_i' M_j^c S_j for j carried by i, with the inertia M_j^c of all that j carries.
+/// M_ij = S_i' M_j^c S_j for j carried by i, with the inertia M_j^c of all that j carries; at each
+/// joint's own point, as at O the entries of far light links would drown those along their axes.
 MatrixXd JointSpace::mass_matrix(const Kinematics& k) const {
-  std::vector<Matrix6d> carried(model_->size(), Matrix6d::Zero());
+  std::vector<Matrix6d> carried = own_inertias(*model_, k);
   MatrixXd M = MatrixXd::Zero(velocities_, velocities_);
   for (Index j = model_->size() - 1; j >= 0; --j) {
-    carried[j] += link_inertia(*model_, k, j);
     const Index parent = model_->link(j).parent;
-    if (parent != Link::world) carried[parent] += carried[j];
+    if (parent != Link::world) {
+      const Matrix6d X = moved_by(k.pose[j].p - k.pose[parent].p);
+      carried[parent] += X.transpose() * carried[j] * X;
+    }
     if (columns(j) == 0) continue;
-    const Space force = carried[j] * k.S[j];
-    for (Index i = j; i != Link::world; i = model_->link(i).parent)
-      if (columns(i) > 0)  // the lower triangle: parents come first
-        M.block(column_of_[j], column_of_[i], columns(j), columns(i)) = force.transpose() * k.S[i];
+    const Space force = carried[j] * own_motions(*model_, k, j);
+    for (Index i = j; i != Link::world; i = model_->link(i).parent) {
+      if (columns(i) == 0) continue;  // the lower triangle: parents come first
+      const Matrix6d X = moved_by(k.pose[j].p - k.pose[i].p);
+      M.block(column_of_[j], column_of_[i], columns(j), columns(i)) =
+          force.transpose() * X * own_motions(*model_, k, i);
+    }
   }
   return M;
 }
@@ -73,10 +99,15 @@ MatrixXd JointSpace::loop_rates(const Kinematics& k) const {
   for (Index i = 0; i < static_cast<Index>(model_->loops().size()); ++i) {
     const Loop& loop = model_->loops()[i];
     const Space T = loop_transmission(*model_, k, i).T;
-    const Matrix6d free =
-        link_mobility(*model_, k, loop.link1) + link_mobility(*model_, k, loop.link2);
+    const Vector3d& joint = k.loops[i].pose.p;
+    Matrix6d free = Matrix6d::Zero();
+    for (const Index link : {loop.link1, loop.link2}) {
+      if (link == Link::world) continue;
+      const Matrix6d X = moved_by(joint - k.pose[link].p);
+      free += X * link_mobility(*model_, k, link) * X.transpose();
+    }
     const VectorXd unit = (T.transpose() * free * T).diagonal().cwiseSqrt().cwiseInverse();
-    const MatrixXd rows = unit.asDiagonal() * T.transpose();
+    const MatrixXd rows = unit.asDiagonal() * T.transpose() * moved_by(k.from_origin(joint));
     of_links.conservativeResize(of_links.rows() + T.cols(), Eigen::NoChange);
     auto added = of_links.bottomRows(T.cols());
     added.setZero();

@@ -143,7 +143,7 @@ Matrix6d link_mobility(const Model& model, const Kinematics& k, Index i) {
   if (i < 0) return Matrix6d::Zero();
   const Link& link = model.link(i);
   const Matrix3d& R = k.pose[i].R;
-  return inverse_spatial_inertia(link.mass, k.from_origin(k.pose[i] * link.centre),
+  return inverse_spatial_inertia(link.mass, R * link.centre,
                                  R * model.inverse_inertia(i) * R.transpose());
 }
 

@@ -48,7 +48,8 @@ double energy(const Model& model, const Kinematics& kinematics, const Vector3d& 
 /// Inertia of link i at O.
 Matrix6d link_inertia(const Model& model, const Kinematics& kinematics, Index i);
 
-/// Its inverse, how the link by itself answers to forces; 0 for i < 0, the world.
+/// Its inverse, but at the origin of the link's frame: how the link by itself answers to forces
+/// there. 0 for i < 0, the world.
 Matrix6d link_mobility(const Model& model, const Kinematics& kinematics, Index i);
 
 }  // namespace lcp

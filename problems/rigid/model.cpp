@@ -38,6 +38,10 @@ void check_link(const std::vector<Link>& links, Index i) {
                          kRounding * link.inertia.cwiseAbs().maxCoeff();
   require(link.inertia.allFinite() && symmetric && link.inertia.llt().info() == Eigen::Success,
           "inertia is not symmetric and positive definite");
+  const bool damps = link.joint == JointKind::revolute || link.joint == JointKind::ball;
+  require(link.damping == 0 || (damps && link.damping > 0 && std::isfinite(link.damping)),
+          fmt::format("damping is {} N m s/rad, expected 0, or more in a revolute or ball joint",
+                      link.damping));
 }
 
 void check_loop(const std::vector<Loop>& loops, Index i, Index links) {
@@ -163,6 +167,15 @@ VectorXd coordinate_rates(const Model& model, const VectorXd& q, const VectorXd&
     }
   }
   return rates;
+}
+
+VectorXd damping_torques(const Model& model, const VectorXd& u) {
+  VectorXd torques = VectorXd::Zero(model.velocities());
+  for (Index i = 0; i < model.size(); ++i) {
+    const Index at = model.u_of(i), size = velocities(model.link(i).joint);
+    torques.segment(at, size) = -model.link(i).damping * u.segment(at, size);
+  }
+  return torques;
 }
 
 VectorXd moved(const Model& model, const VectorXd& q, const VectorXd& u, double dt) {

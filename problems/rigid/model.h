@@ -30,6 +30,8 @@ struct Link {
   Vector3d centre = Vector3d::Zero();   ///< Centre of mass in the link frame, m.
   Matrix3d inertia = Matrix3d::Zero();  ///< About the centre of mass, link axes, kg m^2; positive
                                         ///< definite.
+  /// Of a revolute or ball joint: the torque -damping u acts in it, N m s/rad, >= 0.
+  double damping = 0;
 
   static constexpr Index world = -1;
 };
@@ -99,6 +101,9 @@ State state_at_zero(const Model& model);
 struct JointMotion {
   VectorXd angle, rate, acceleration;
 };
+
+/// Torques of the joints' damping at velocities u, in the order of u.
+VectorXd damping_torques(const Model& model, const VectorXd& u);
 
 /// dq/dt for velocities u: quaternions change by half their product with the angular velocity.
 VectorXd coordinate_rates(const Model& model, const VectorXd& q, const VectorXd& u);

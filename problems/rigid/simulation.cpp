@@ -17,11 +17,9 @@ Simulation::Simulation(System system, Stepping stepping)
     : system_(std::make_shared<const System>(std::move(system))),
       stepping_(std::move(stepping)),
       state_(system_->start),
-      no_torques_(VectorXd::Zero(system_->model.velocities())),
       dynamics_(system_->model, system_->handles),
       joint_space_(system_->model, system_->handles) {
   const Model& model = system_->model;
-  if (lcp::moves_as_one_body(model)) composite_.emplace(model, system_->handles);
   if (!(stepping_.dt > 0) || !std::isfinite(stepping_.dt))
     throw std::invalid_argument(
         fmt::format("simulation: dt is {} s, expected a positive time", stepping_.dt));
@@ -34,6 +32,8 @@ Simulation::Simulation(System system, Stepping stepping)
     throw std::invalid_argument("simulation: the start is not finite");
   if (!model.prescribed().empty() && !system_->reference)
     throw std::invalid_argument("simulation: prescribed joints without a reference motion");
+  if (moves_as_one_body(model) && !system_->pull)
+    composite_.emplace(model, system_->handles);  // which does not know what pulls at it
   follow_reference(state_);
 }
 
@@ -45,8 +45,6 @@ void Simulation::step(const ContactSolver& solver, const std::function<void(cons
   if (!state_.q.allFinite() || !state_.u.allFinite()) throw broke();
   const Vector3d origin = kinematics_of(state_, Vector3d::Zero()).pose.front().p;
   const Kinematics here = kinematics_of(state_, origin);
-  dynamics_.assemble(here, no_torques_, system_->gravity);
-
   Frame frame{.number = number_,
               .state = state_,
               .kinematics = here,
@@ -54,7 +52,10 @@ void Simulation::step(const ContactSolver& solver, const std::function<void(cons
               .links = {},
               .contacts = {},
               .solution = {},
-              .link_forces = {}};
+              .link_forces = {},
+              .pulls = {}};
+  if (system_->pull) frame.pulls = system_->pull(state_.time, here);
+  assemble(state_, here, frame.pulls);
   frame.points = contact_points(here);
   frame.points_found = static_cast<Index>(frame.points.size());
   pose_contacts(frame);
@@ -77,14 +78,13 @@ void Simulation::step(const ContactSolver& solver, const std::function<void(cons
 
 ContactProblem Simulation::clean_contacts(const Frame& frame) const {
   const Kinematics& k = frame.kinematics;
-  const MatrixXd& J = frame.links.J;
-  const auto problem = [&](const VectorXd& phi, const MatrixXd& A) {
-    return contact_problem(frame.links, phi, A, stepping_.dt, stepping_.correction);
+  const auto problem = [&](const HandleDynamics& dynamics, const MatrixXd& A) {
+    return contact_problem(frame.links, dynamics, A, stepping_.dt, stepping_.correction);
   };
   if (composite_)
-    return problem(composite_->handle_dynamics(k, system_->gravity).phi,
-                   composite_->contact_factor(k, J));
-  return problem(dynamics_.handle_dynamics().phi, joint_space_.contact_factor(k, J));
+    return problem(composite_->handle_dynamics(k, system_->gravity),
+                   composite_->contact_factor(k, frame.links.J));
+  return problem(dynamics_.handle_dynamics(), joint_space_.contact_factor(k, frame.links.J));
 }
 
 JointMotion Simulation::reference(double time) const {
@@ -139,9 +139,19 @@ void Simulation::solve(Frame& frame, const ContactSolver& solver) const {
   frame.link_forces = frame.links.J.transpose() * frame.solution.forces;  // (12)
 }
 
+void Simulation::assemble(const State& state, const Kinematics& k,
+                          const std::vector<PointForce>& pulls) {
+  std::vector<Vector6d> forces;
+  if (!pulls.empty()) forces.assign(system_->model.size(), Vector6d::Zero());
+  for (const PointForce& pull : pulls)
+    forces.at(pull.link) += force_at(k.from_origin(pull.position), pull.force);
+  dynamics_.assemble(k, damping_torques(system_->model, state.u), system_->gravity, forces);
+}
+
 VectorXd Simulation::accelerations(const State& state, const Vector3d& origin,
                                    const VectorXd& forces) {
-  dynamics_.assemble(kinematics_of(state, origin), no_torques_, system_->gravity);
+  const Kinematics k = kinematics_of(state, origin);
+  assemble(state, k, system_->pull ? system_->pull(state.time, k) : std::vector<PointForce>());
   return dynamics_.disassemble(forces).joints;
 }
 

@@ -11,6 +11,12 @@
 
 namespace lcp {
 
+/// A force at a point of a link.
+struct PointForce {
+  Index link = 0;
+  Vector3d position, force;  ///< m, N, world axes.
+};
+
 /// A system to simulate: bodies, where they start, what drives them and where they touch.
 struct System {
   Model model;
@@ -21,6 +27,8 @@ struct System {
   /// Points at which links touch; ids name bodies as body_of. Their normal velocities are filled in.
   /// May stay empty where nothing ever touches.
   std::function<std::vector<ContactPoint>(const Kinematics&)> collide = {};
+  /// Forces that pull at links besides gravity and contacts. May stay empty where none do.
+  std::function<std::vector<PointForce>(double time, const Kinematics&)> pull = {};
   double mu = 0.5;                      ///< Of every contact.
   Vector3d gravity = {0, 0, -9.80665};  ///< m/s^2.
 };
@@ -57,6 +65,7 @@ struct Frame {
   ContactProblem contacts;  ///< Empty where nothing touches, and so are the following.
   ContactSolution solution;
   VectorXd link_forces;  ///< 6N on the handles, at kinematics.origin.
+  std::vector<PointForce> pulls;
 
   /// Force of contact i on its body 1, N, world axes.
   Vector3d force(Index i) const;
@@ -85,10 +94,12 @@ class Simulation {
   void step(const ContactSolver& solver, const std::function<void(const Frame&)>& look = {});
 
   /// The contact problem of a frame with a matrix that is symmetric and positive semidefinite up to
-  /// rounding of its entries: from the composite body's inertia where the system moves as one body,
-  /// else from its joint space with the frame's own vbar. Asked for while looking at the frame.
+  /// rounding of its entries: from the composite body's inertia where the system moves as one body
+  /// at which nothing pulls, else from its joint space, with vbar of the ADA. To be asked for while
+  /// looking at the frame.
   ContactProblem clean_contacts(const Frame& frame) const;
-  bool moves_as_one_body() const { return composite_.has_value(); }
+  /// Whether it is from the composite body.
+  bool is_composite_body() const { return composite_.has_value(); }
 
  private:
   JointMotion reference(double time) const;
@@ -97,6 +108,8 @@ class Simulation {
   std::vector<ContactPoint> contact_points(const Kinematics& kinematics) const;
   void pose_contacts(Frame& frame) const;
   void solve(Frame& frame, const ContactSolver& solver) const;
+  void assemble(const State& state, const Kinematics& kinematics,
+                const std::vector<PointForce>& pulls);
   VectorXd accelerations(const State& state, const Vector3d& origin, const VectorXd& forces);
   void move_by_runge_kutta(const VectorXd& first_stage, const Vector3d& origin,
                            const VectorXd& forces);
@@ -106,7 +119,6 @@ class Simulation {
   Stepping stepping_;
   State state_;
   Index number_ = 0;
-  VectorXd no_torques_;
   ForwardDynamics dynamics_;
   std::optional<CompositeBody> composite_;
   JointSpace joint_space_;

@@ -60,6 +60,24 @@ inline Vector3d velocity_at(const Vector3d& r, const Vector6d& v) {
   return v.tail<3>() + v.head<3>().cross(r);
 }
 
+/// Takes motions at a point to where they are at another, `d` from it; its transpose takes forces
+/// back.
+inline Matrix6d moved_by(const Vector3d& d) {
+  Matrix6d X = Matrix6d::Identity();
+  X.bottomLeftCorner<3, 3>() = -skew(d);
+  return X;
+}
+
+/// A force at the point that is `d` from where it is now.
+inline Vector6d force_moved(const Vector6d& f, const Vector3d& d) {
+  return stack(f.head<3>() - d.cross(f.tail<3>()), f.tail<3>());
+}
+
+/// A motion likewise.
+inline Vector6d motion_moved(const Vector6d& m, const Vector3d& d) {
+  return stack(m.head<3>(), m.tail<3>() - d.cross(m.head<3>()));
+}
+
 /// Inertia of a body at O: centre of mass at c (from O), inertia I_c about it in world axes.
 inline Matrix6d spatial_inertia(double mass, const Vector3d& c, const Matrix3d& I_c) {
   const Matrix3d cx = skew(c);

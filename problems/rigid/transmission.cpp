@@ -12,13 +12,9 @@ std::pair<Vector3d, Vector3d> across(const Vector3d& axis) {
   return {first, axis.cross(first)};
 }
 
-/// Of a joint at `r` (from O) whose frame is turned by R.
-Transmission transmission(JointKind kind, const Vector3d& axis_in_frame, const Matrix3d& R,
-                          const Vector3d& r) {
+/// Of a joint whose frame is turned by R.
+Transmission transmission(JointKind kind, const Vector3d& axis_in_frame, const Matrix3d& R) {
   Transmission joint;
-  const auto forces_through = [&](Index column) {
-    for (Index k = 0; k < 3; ++k) joint.T.col(column + k) = force_at(r, Vector3d::Unit(k));
-  };
   switch (kind) {
     case JointKind::fixed:
     case JointKind::prescribed:
@@ -31,13 +27,13 @@ Transmission transmission(JointKind kind, const Vector3d& axis_in_frame, const M
       joint.T = Space::Zero(6, 5);
       joint.T.col(0).head<3>() = first;
       joint.T.col(1).head<3>() = second;
-      forces_through(2);
+      joint.T.bottomRightCorner<3, 3>().setIdentity();
       joint.F = stack(axis, Vector3d::Zero());
       break;
     }
     case JointKind::ball:
       joint.T = Space::Zero(6, 3);
-      forces_through(0);
+      joint.T.bottomRows<3>().setIdentity();
       joint.F = Space::Zero(6, 3);
       joint.F.topRows<3>() = R;
       break;
@@ -50,16 +46,13 @@ Transmission transmission(JointKind kind, const Vector3d& axis_in_frame, const M
 }  // namespace
 
 Transmission link_transmission(const Model& model, const Kinematics& k, Index i) {
-  const Link& link = model.link(i);
-  const Pose& pose = k.pose[i];
-  return transmission(link.joint, link.axis, pose.R, k.from_origin(pose.p));
+  return transmission(model.link(i).joint, model.link(i).axis, k.pose[i].R);
 }
 
 Transmission loop_transmission(const Model& model, const Kinematics& k, Index i) {
   const Loop& loop = model.loops()[i];
-  const Pose& pose = k.loops[i].pose;
-  Transmission found = transmission(loop.joint, loop.axis, pose.R, k.from_origin(pose.p));
-  found.F.resize(6, 0);
+  Transmission found = transmission(loop.joint, loop.axis, k.loops[i].pose.R);
+  found.F.resize(6, 0);  // no torque acts in it
   return found;
 }
 

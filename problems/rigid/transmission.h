@@ -4,7 +4,7 @@
 
 namespace lcp {
 
-/// What the joint between two bodies transmits, at O in world axes.
+/// What the joint between two bodies transmits, at the joint in world axes.
 struct Transmission {
   Space T;  ///< Columns span the forces that hold: T'S = 0 for the motions S it allows.
   Space F;  ///< Torques that drive it, S'F = 1; a loop's joint has none.

@@ -31,13 +31,13 @@ CorpusDump::CorpusDump(std::string directory, std::string scene, std::string dri
 void CorpusDump::add(const Simulation& simulation, const Frame& frame) {
   if (frame.contacts.size() == 0) return;
   const FrictionModel& model = simulation.stepping().contact.friction;
-  const std::string clean = simulation.moves_as_one_body() ? "composite body" : "joint space";
+  const std::string clean = simulation.is_composite_body() ? "composite body" : "joint space";
   if (simulation.stepping().matrix == Stepping::Matrix::clean) {
     add_pair(frame.contacts, frame, model, scene_, clean);
   } else {
     add_pair(frame.contacts, frame, model, scene_, "assembly and disassembly");
     add_pair(simulation.clean_contacts(frame), frame, model,
-             scene_ + (simulation.moves_as_one_body() ? "+composite" : "+joint-space"), clean);
+             scene_ + (simulation.is_composite_body() ? "+composite" : "+joint-space"), clean);
   }
   predecessor_ = fmt::format("{:05}", frame.number);
   if (++frames_in_shard_ == kFramesPerShard) write_shard();

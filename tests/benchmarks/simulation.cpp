@@ -166,9 +166,9 @@ void chain_joint_space_factor(benchmark::State& state) {
 void chain_joint_space_matrix(benchmark::State& state) {
   const BallChain chain;
   const JointSpace joints(chain.model, chain.handles);
-  const VectorXd phi = VectorXd::Zero(6 * BallChain::links);
+  const HandleDynamics handles = chain.assembled().handle_dynamics();
   for (auto _ : state)
-    benchmark::DoNotOptimize(contact_problem(chain.contacts, phi,
+    benchmark::DoNotOptimize(contact_problem(chain.contacts, handles,
                                              joints.contact_factor(chain.here, chain.contacts.J),
                                              1e-3, {})
                                  .W.data());

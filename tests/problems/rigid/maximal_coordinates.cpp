@@ -192,7 +192,8 @@ HandleDynamics MaximalCoordinates::handle_dynamics(const std::vector<Index>& han
                                                    const Vector3d& origin, const VectorXd& torques,
                                                    const Vector3d& gravity) const {
   const Index n = static_cast<Index>(handles.size());
-  HandleDynamics dynamics{MatrixXd(6 * n, 6 * n), VectorXd(6 * n)};
+  HandleDynamics dynamics{MatrixXd(6 * n, 6 * n), VectorXd(6 * n),
+                          std::vector<Vector3d>(n, Vector3d::Zero())};
   const VectorXd bias = solve(own_forces(torques, gravity), false);
   for (Index h = 0; h < n; ++h)
     dynamics.phi.segment<6>(6 * h) = spatial(handles[h], bias, origin, false);

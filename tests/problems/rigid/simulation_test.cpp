@@ -232,7 +232,7 @@ TEST(Simulation, MovesAlikeOnCleanMatrices) {
     system.start.q.head<7>() = sliding_box().start.q;
     system.start.u.head<6>() = sliding_box().start.u;
     Simulation assembled(system, {}), clean(system, {.matrix = Stepping::Matrix::clean});
-    EXPECT_EQ(clean.moves_as_one_body(), joint == JointKind::fixed);
+    EXPECT_EQ(clean.is_composite_body(), joint == JointKind::fixed);
     clean.step(solver_in_the_loop(), [&](const Frame& frame) {
       EXPECT_EQ(frame.contacts.W, clean.clean_contacts(frame).W);
     });
@@ -246,6 +246,20 @@ TEST(Simulation, MovesAlikeOnCleanMatrices) {
     EXPECT_LE((a.q - b.q).norm(), 1e-9);
     EXPECT_LE((a.u - b.u).norm(), 1e-9);
   }
+}
+
+TEST(Simulation, CleanMatricesComeWithWhatPullsAtTheBody) {
+  System system = standing_box();
+  system.pull = [](double, const Kinematics& k) {
+    return std::vector<PointForce>{{0, k.pose[0].p, {0, 0, 30}}};
+  };
+  Simulation simulation(system, {.matrix = Stepping::Matrix::clean});
+  EXPECT_FALSE(simulation.is_composite_body()) << "it does not know of pulls";
+  Simulation assembled(system, {});
+  VectorXd vbar;
+  simulation.step(solver_in_the_loop(), [&](const Frame& frame) { vbar = frame.contacts.vbar; });
+  assembled.step(solver_in_the_loop(),
+                 [&](const Frame& frame) { EXPECT_EQ(frame.contacts.vbar, vbar); });
 }
 
 TEST(Simulation, WithoutAnAcceptedAnswerNothingHolds) {
