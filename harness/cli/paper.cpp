@@ -77,7 +77,38 @@ int print_choices(const PaperArguments& arguments) {
                });
 }
 
+std::size_t steps_of(const NamedScene& scene) {
+  return static_cast<std::size_t>(std::lround(scene.setup.duration / scene.setup.stepping.dt));
+}
+
+void print_summary(const LoopRun& run, const NamedScene& scene) {
+  fmt::print("{}",
+             render(summarise(run, scene.setup.system.model.mass(), scene.setup.system.gravity)));
+}
+
+int draw_figure_4(const PaperArguments& arguments) {
+  const std::vector<FilmedScene> filmed = figure_4_scenes();
+  std::size_t done_steps = 0, steps = 0;
+  for (const FilmedScene& film : filmed) steps += steps_of(film.scene);
+  const std::atomic<bool>& interrupted = catch_interruptions();
+  std::vector<LoopRun> runs;
+  {
+    ProgressBar bar;
+    const FrameLook look = [&](const Simulation&, const Frame&, const FrameRecord&) {
+      bar.update({++done_steps, steps, "figure 4"});
+    };
+    runs = write_figure_4(arguments.out, filmed, make_solver("best-first"), {}, look, interrupted);
+  }
+  if (interrupted) return say_interrupted(arguments.out);
+  for (std::size_t i = 0; i < runs.size(); ++i) print_summary(runs[i], filmed[i].scene);
+  std::fflush(stdout);
+  fmt::print(stderr, "figure, script and data are {0}/fig4.svg, fig4.gp and fig4.dat\n",
+             arguments.out);
+  return done;
+}
+
 int draw_figure(const PaperArguments& arguments) {
+  if (arguments.figure == 4) return draw_figure_4(arguments);
   const std::filesystem::path directory = arguments.out;
   const NamedScene scene = make_scene(arguments.figure == 2 ? "squat" : "tap-dance");
   const auto draw = arguments.figure == 2 ? write_figure_2 : write_figure_3;
@@ -85,16 +116,14 @@ int draw_figure(const PaperArguments& arguments) {
   LoopRun run;
   {
     ProgressBar bar;
-    const auto steps =
-        static_cast<std::size_t>(std::lround(scene.setup.duration / scene.setup.stepping.dt));
+    const std::size_t steps = steps_of(scene);
     const FrameLook look = [&](const Simulation&, const Frame&, const FrameRecord& record) {
       bar.update({static_cast<std::size_t>(record.frame), steps, scene.spelling});
     };
     run = draw(directory, scene, make_solver("best-first"), {}, look, interrupted);
   }
   if (interrupted) return say_interrupted(directory);
-  fmt::print("{}",
-             render(summarise(run, scene.setup.system.model.mass(), scene.setup.system.gravity)));
+  print_summary(run, scene);
   std::fflush(stdout);
   fmt::print(stderr,
              "figure, script and data are {0}/fig{1}.svg, fig{1}.gp, fig{1}.dat and fig{1}.csv\n",
@@ -118,8 +147,9 @@ Verb add_paper(CLI::App& program) {
   CLI::Option* table = page->add_option("--table", arguments->table, "1: squat, or 2: tap-dance")
                            ->check(CLI::IsMember({1, 2}));
   CLI::Option* figure = page->add_option("--figure", arguments->figure,
-                                         "2: forces of the feet in squat, or 3: tap-dance in time")
-                            ->check(CLI::IsMember({2, 3}))
+                                         "2: forces of the feet in squat, 3: tap-dance in time, or "
+                                         "4: hoist, ring and net in time")
+                            ->check(CLI::IsMember({2, 3, 4}))
                             ->excludes(table);
   page->add_flag("--choices", arguments->choices,
                  "What each choice that the paper leaves open does in the loop")

@@ -155,15 +155,14 @@ void write_dance_figure(const LoopRun& run, const NamedScene& scene,
   const double lanes = kLane * static_cast<double>(run.frames.front().handle_forces.size());
   const double width = panels.width(),
                height = panels.height() + kAbove + kTurn + kGap + lanes + kFoot;
-  const std::size_t sets = ScenePanels::sets_per_panel * snapshots.size();
   replace_file(std::filesystem::path(svg).replace_extension(".csv").string(), dance_csv(run));
-  draw_with_gnuplot(svg,
-                    {.title = fmt::format("Frames of {}, {} in the loop.", run.scene, run.solver),
-                     .width = width,
-                     .height = height,
-                     .commands = panels.script(width, height) +
-                                 chart_script(run, sets, panels.height() + kAbove, width, height),
-                     .data = panels.data() + chart_data(run, snapshots)});
+  draw_with_gnuplot(
+      svg, {.title = fmt::format("Frames of {}, {} in the loop.", run.scene, run.solver),
+            .width = width,
+            .height = height,
+            .commands = panels.script(width, height) +
+                        chart_script(run, panels.sets(), panels.height() + kAbove, width, height),
+            .data = panels.data() + chart_data(run, snapshots)});
 }
 
 }  // namespace lcp

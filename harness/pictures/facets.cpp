@@ -33,7 +33,11 @@ Side side_of(const Plane& plane, const Facet& facet) {
 
 /// The part of a facet that crosses the plane on the plane's side `sign`.
 Facet cut(const Facet& facet, const Plane& plane, double sign) {
-  Facet part{.corners = {}, .edge = {}, .normal = facet.normal, .box = facet.box};
+  Facet part{.corners = {},
+             .edge = {},
+             .normal = facet.normal,
+             .body = facet.body,
+             .smooth = facet.smooth};
   const std::size_t count = facet.corners.size();
   for (std::size_t k = 0; k < count; ++k) {
     const Vector3d &here = facet.corners[k], &next = facet.corners[(k + 1) % count];
@@ -72,27 +76,6 @@ void append(std::vector<Facet>& to, std::vector<Facet> from) {
 }
 
 }  // namespace
-
-std::vector<Facet> visible_faces(const Vector3d& low, const Vector3d& high, const Pose& pose,
-                                 const Vector3d& towards_viewer, std::size_t box) {
-  std::vector<Facet> faces;
-  for (int axis = 0; axis < 3; ++axis) {
-    for (const bool upper : {false, true}) {
-      const Vector3d out = (upper ? 1 : -1) * pose.R.col(axis);
-      if (out.dot(towards_viewer) <= 0) continue;
-      Facet face{.corners = {}, .edge = std::vector<bool>(4, true), .normal = out, .box = box};
-      for (int k = 0; k < 4; ++k) {
-        Vector3d corner = upper ? high : low;
-        const int u = (axis + (upper ? 1 : 2)) % 3, v = 3 - axis - u;
-        corner(u) = k == 1 || k == 2 ? high(u) : low(u);
-        corner(v) = k >= 2 ? high(v) : low(v);
-        face.corners.push_back(pose * corner);
-      }
-      faces.push_back(std::move(face));
-    }
-  }
-  return faces;
-}
 
 std::vector<Facet> back_to_front(std::vector<Facet> facets, const Vector3d& towards_viewer) {
   if (facets.size() < 2) return facets;

@@ -11,13 +11,9 @@ struct Facet {
   std::vector<Vector3d> corners;  ///< World, m, counterclockwise.
   std::vector<bool> edge;         ///< Corner k to the next is an edge of the body and no mere cut.
   Vector3d normal;                ///< Unit, out of the body.
-  std::size_t box = 0;            ///< What it belongs to.
+  std::size_t body = 0;           ///< What it belongs to.
+  bool smooth = false;            ///< Approximates a round surface.
 };
-
-/// The faces of the box between `low` and `high`, in the frame `pose`, whose fronts a viewer in the
-/// direction `towards_viewer`, far away, sees.
-std::vector<Facet> visible_faces(const Vector3d& low, const Vector3d& high, const Pose& pose,
-                                 const Vector3d& towards_viewer, std::size_t box);
 
 /// Orders facets so that each may be painted over those before it, whatever stands in or behind
 /// another; cuts those that no order would serve.

@@ -2,10 +2,13 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <stdexcept>
 
+#include "harness/charts/gnuplot_page.h"
 #include "harness/pictures/dance_figure.h"
 #include "harness/pictures/force_figure.h"
+#include "harness/pictures/scene_panels.h"
 #include "problems/io/errors.h"
 
 namespace lcp {
@@ -13,6 +16,25 @@ namespace lcp {
 namespace {
 
 constexpr Index kMoments = 8;
+constexpr double kPanelHeight = 240, kPanelWidth = 300, kBelow = 10;  // of figure 4, pixels
+
+constexpr struct {
+  const char* scene;
+  double moments[3];  // over the scene's duration
+  double azimuth;     // degrees
+} kFilms[] = {
+    {"hoist", {0, 0.5, 1}, -52},
+    {"ring", {0, 0.5, 1}, -52},
+    {"net", {0, 0.5, 1}, -52},
+};
+
+void make_directory(const std::filesystem::path& directory) {
+  std::error_code error;
+  std::filesystem::create_directories(directory, error);
+  if (error)
+    throw UnwritableOutput(
+        fmt::format("{}: cannot create: {}", directory.string(), error.message()));
+}
 
 void prepare(const std::filesystem::path& directory, const NamedScene& scene) {
   const std::size_t handles = scene.setup.system.handles.size();
@@ -21,11 +43,34 @@ void prepare(const std::filesystem::path& directory, const NamedScene& scene) {
         "{}: has {} links that may touch something, expected a scene with two: the left "
         "and the right foot",
         scene.spelling, handles));
-  std::error_code error;
-  std::filesystem::create_directories(directory, error);
-  if (error)
-    throw UnwritableOutput(
-        fmt::format("{}: cannot create: {}", directory.string(), error.message()));
+  make_directory(directory);
+}
+
+/// Shows frames to the snapshots first.
+FrameLook looking_too(Snapshots& snapshots, const FrameLook& look) {
+  return [&](const Simulation& simulation, const Frame& frame, const FrameRecord& record) {
+    snapshots.look(frame);
+    if (look) look(simulation, frame, record);
+  };
+}
+
+/// A row of panels per scene.
+void draw_rows(const std::vector<ScenePanels>& rows, const std::string& title,
+               const std::filesystem::path& svg) {
+  GnuplotPage page;
+  page.title = title;
+  for (const ScenePanels& row : rows) {
+    page.width = std::max(page.width, row.width());
+    page.height += row.height() + kBelow;
+  }
+  ScenePanels::Place place;
+  for (const ScenePanels& row : rows) {
+    page.commands += row.script(page.width, page.height, place);
+    page.data += row.data();
+    place.top += row.height() + kBelow;
+    place.first_set += row.sets();
+  }
+  draw_with_gnuplot(svg, page);
 }
 
 }  // namespace
@@ -47,15 +92,55 @@ LoopRun write_figure_3(const std::filesystem::path& directory, const NamedScene&
   prepare(directory, scene);
   Snapshots snapshots(evenly_spread(scene.setup.duration, kMoments), scene.setup.stepping.dt,
                       scene.setup.duration);
-  const FrameLook look_twice = [&](const Simulation& simulation, const Frame& frame,
-                                   const FrameRecord& record) {
-    snapshots.look(frame);
-    if (look) look(simulation, frame, record);
-  };
-  LoopRun run = run_in_the_loop(scene, solver, acceptance, look_twice, interrupted);
+  LoopRun run =
+      run_in_the_loop(scene, solver, acceptance, looking_too(snapshots, look), interrupted);
   if (!(interrupted && !run.broken.empty()))
     write_dance_figure(run, scene, snapshots.taken(), directory / "fig3.svg");
   return run;
+}
+
+std::vector<FilmedScene> figure_4_scenes() {
+  std::vector<FilmedScene> filmed;
+  for (const auto& film : kFilms) {
+    filmed.push_back({.scene = make_scene(film.scene), .times = {}, .azimuth = film.azimuth});
+    for (const double share : film.moments)
+      filmed.back().times.push_back(share * filmed.back().scene.setup.duration);
+  }
+  return filmed;
+}
+
+std::vector<LoopRun> write_figure_4(const std::filesystem::path& directory,
+                                    std::vector<FilmedScene> filmed, const NamedSolver& solver,
+                                    const Acceptance& acceptance, const FrameLook& look,
+                                    const std::atomic<bool>& interrupted) {
+  if (filmed.empty()) throw std::invalid_argument("figure 4: no scene to show");
+  std::vector<Snapshots> snapshots;
+  for (FilmedScene& film : filmed) {
+    SceneSetup& setup = film.scene.setup;
+    snapshots.emplace_back(film.times, setup.stepping.dt, setup.duration);
+    // One step more, so that the last moment is a frame of its own.
+    const double last = film.times.empty() ? 0 : std::ranges::max(film.times);
+    setup.duration = std::min(setup.duration, last + setup.stepping.dt);
+  }
+  make_directory(directory);
+  std::vector<LoopRun> runs;
+  std::vector<ScenePanels> rows;
+  for (std::size_t i = 0; i < filmed.size(); ++i) {
+    const FilmedScene& film = filmed[i];
+    runs.push_back(run_in_the_loop(film.scene, solver, acceptance, looking_too(snapshots[i], look),
+                                   interrupted));
+    if (interrupted && !runs.back().broken.empty()) return runs;
+    rows.emplace_back(film.scene, snapshots[i].taken(),
+                      ScenePanels::Layout{.height = kPanelHeight,
+                                          .most_width = kPanelWidth,
+                                          .least_width = kPanelWidth,
+                                          .name = film.scene.info.name + ", ",
+                                          .contacts = false,
+                                          .azimuth = film.azimuth});
+  }
+  draw_rows(rows, fmt::format("Simulations with {} in the loop.", solver.spelling),
+            directory / "fig4.svg");
+  return runs;
 }
 
 }  // namespace lcp

@@ -2,6 +2,7 @@
 
 #include <atomic>
 #include <filesystem>
+#include <vector>
 
 #include "harness/loop/in_the_loop.h"
 
@@ -24,5 +25,26 @@ LoopRun write_figure_2(const std::filesystem::path& directory, const NamedScene&
 LoopRun write_figure_3(const std::filesystem::path& directory, const NamedScene& scene,
                        const NamedSolver& solver, const Acceptance& acceptance,
                        const FrameLook& look, const std::atomic<bool>& interrupted);
+
+/// A scene with the moments that a figure shows of it.
+struct FilmedScene {
+  NamedScene scene;
+  std::vector<double> times;  ///< s.
+  double azimuth = 0;         ///< Where the viewer stands, degrees from x towards y.
+};
+
+/// What the paper's Fig. 4 shows, from the top row.
+std::vector<FilmedScene> figure_4_scenes();
+
+/// Fig. 4: simulates each scene with the solver in the loop until its last moment, and writes
+/// fig4.{svg,gp,dat} with a row of pictures per scene, without contacts.
+///
+/// Returns the runs, up to the interrupted one: then nothing is written. A scene that broke has the
+/// moments before. Throws std::invalid_argument when there is no scene or a moment is not within
+/// its duration, and UnwritableOutput, before the simulations where that can be known.
+std::vector<LoopRun> write_figure_4(const std::filesystem::path& directory,
+                                    std::vector<FilmedScene> filmed, const NamedSolver& solver,
+                                    const Acceptance& acceptance, const FrameLook& look,
+                                    const std::atomic<bool>& interrupted);
 
 }  // namespace lcp

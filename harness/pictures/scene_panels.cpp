@@ -8,13 +8,13 @@
 #include <stdexcept>
 
 #include "harness/charts/gnuplot_page.h"
-#include "harness/pictures/facets.h"
+#include "harness/pictures/hidden_facets.h"
+#include "harness/pictures/painting.h"
+#include "harness/pictures/polygons.h"
 
 namespace lcp {
 
 namespace {
-
-using Eigen::Vector2d;
 
 constexpr double kDegree = std::numbers::pi / 180;
 constexpr double kElevation = 14 * kDegree;
@@ -23,7 +23,7 @@ constexpr unsigned kFloor = 0xf5f5f3, kShadow = 0xdededb, kEdge = 0x4a5058;
 
 // Pixels.
 constexpr double kHead = 26, kLegend = 54, kGap = 12, kLeastWidth = 540;
-constexpr double kEdgeWidth = 0.9, kArrowHead = 9;
+constexpr double kEdgeWidth = 0.9, kSeam = 0.4, kArrowHead = 9;
 
 constexpr double kLongestArrow = 0.45;  // over the height of what the panels show
 constexpr double kNoForce = 1e-6;       // of the largest: below, a contact counts as idle
@@ -45,21 +45,11 @@ unsigned shaded(unsigned colour, double brightness) {
   return result;
 }
 
-/// A polygon of a data set: x, y (m), colour and number of the box.
-template <class Corners>
-void add_polygon(std::string& data, const Corners& corners, unsigned colour, std::size_t box) {
-  for (const Vector2d& p : corners)
-    data += fmt::format("{:.5f} {:.5f} {} {}\n", p.x(), p.y(), colour, box);
+/// A polygon of a data set: x, y (m), colour and number of the body.
+void add_polygon(std::string& data, const Polygon& polygon, unsigned colour, std::size_t body) {
+  for (const Vector2d& p : polygon)
+    data += fmt::format("{:.5f} {:.5f} {} {}\n", p.x(), p.y(), colour, body);
   data += '\n';
-}
-
-/// The line from a to b as a polygon, so that it takes part in what hides what; its ends stand out
-/// by `longer`.
-std::array<Vector2d, 4> stroke(const Vector2d& a, const Vector2d& b, double width, double longer) {
-  const Vector2d direction = (b - a).normalized();
-  const Vector2d along = longer * direction;
-  const Vector2d across = width / 2 * Vector2d(-direction.y(), direction.x());
-  return {a - along - across, b + along - across, b + along + across, a - along + across};
 }
 
 }  // namespace
@@ -67,22 +57,45 @@ std::array<Vector2d, 4> stroke(const Vector2d& a, const Vector2d& b, double widt
 ScenePanels::ScenePanels(const NamedScene& scene, std::vector<Snapshot> snapshots,
                          const Layout& layout)
     : title_(scene.spelling),
-      boxes_(scene_boxes(scene.setup)),
+      bodies_(scene_bodies(scene.setup)),
       snapshots_(std::move(snapshots)),
       layout_(layout),
       camera_(Camera::from(kDegree * layout.azimuth, kElevation)) {
   if (snapshots_.empty()) throw std::invalid_argument("picture: no frame to show");
-  find_floor();
+  find_surfaces();
+  find_floor(has_floor(scene.setup));
   find_scales();
 }
 
-void ScenePanels::find_floor() {
+void ScenePanels::find_surfaces() {
+  Eigen::AlignedBox3d links;
+  for (const SceneBody& body : bodies_) surfaces_.push_back(pieces_of(body.shape.geometry));
+  for (const Snapshot& snapshot : snapshots_)
+    for (std::size_t i = 0; i < bodies_.size(); ++i)
+      if (bodies_[i].shape.link != Link::world)
+        for (const Vector3d& corner : corners(i, snapshot)) links.extend(corner);
+  for (std::size_t i = 0; i < bodies_.size(); ++i) {
+    bodies_[i].shape = near_part(bodies_[i].shape, links);
+    surfaces_[i] = pieces_of(bodies_[i].shape.geometry);
+  }
+}
+
+std::vector<Vector3d> ScenePanels::corners(std::size_t body, const Snapshot& snapshot) const {
+  const Pose pose = bodies_[body].in_world(snapshot);
+  std::vector<Vector3d> all;
+  for (const Piece& piece : surfaces_[body])
+    for (const Facet& facet : piece)
+      for (const Vector3d& corner : facet.corners) all.push_back(pose * corner);
+  return all;
+}
+
+void ScenePanels::find_floor(bool in_the_scene) {
   Eigen::AlignedBox3d bodies;
   for (const Snapshot& snapshot : snapshots_)
-    for (const SceneBox& box : boxes_)
-      for (const Vector3d& corner : box.corners(snapshot)) bodies.extend(corner);
+    for (std::size_t i = 0; i < bodies_.size(); ++i)
+      for (const Vector3d& corner : corners(i, snapshot)) bodies.extend(corner);
   const double size = bodies.sizes().maxCoeff(), lowest = bodies.min().z();
-  has_floor_ = lowest > -0.05 * size && lowest < size;
+  has_floor_ = in_the_scene && lowest > -0.05 * size && lowest < size;
   grid_ = round_number(size / 4);
   const auto on_the_grid = [&](int axis) {
     return Range{grid_ * std::floor(bodies.min()(axis) / grid_ - 0.2),
@@ -95,8 +108,9 @@ void ScenePanels::find_floor() {
 void ScenePanels::find_scales() {
   Eigen::AlignedBox2d seen;
   for (const Snapshot& snapshot : snapshots_) {
-    for (const SceneBox& box : boxes_)
-      for (const Vector3d& corner : box.corners(snapshot)) seen.extend(camera_.flat(corner));
+    for (std::size_t i = 0; i < bodies_.size(); ++i)
+      for (const Vector3d& corner : corners(i, snapshot)) seen.extend(camera_.flat(corner));
+    if (!layout_.contacts) continue;
     for (const Snapshot::Touch& touch : snapshot.touches)
       largest_force_ = std::max(largest_force_, touch.force.norm());
   }
@@ -106,11 +120,14 @@ void ScenePanels::find_scales() {
   if (largest_force_ > 0) metres_per_newton_ = kLongestArrow * seen.sizes().y() / largest_force_;
   for (const Snapshot& snapshot : snapshots_)
     for (const Snapshot::Touch& touch : snapshot.touches)
-      seen.extend(camera_.flat(touch.position + metres_per_newton_ * touch.force));
+      if (layout_.contacts)
+        seen.extend(camera_.flat(touch.position + metres_per_newton_ * touch.force));
   const Vector2d margin = Vector2d::Constant(0.02 * seen.sizes().maxCoeff());
   x_ = {seen.min().x() - margin.x(), seen.max().x() + margin.x()};
   y_ = {seen.min().y() - margin.y(), seen.max().y() + margin.y()};
   pixels_per_metre_ = std::min(layout_.height / y_.length(), layout_.most_width / x_.length());
+  const double beside = (layout_.least_width / pixels_per_metre_ - x_.length()) / 2;
+  if (beside > 0) x_ = {x_.low - beside, x_.high + beside};
 }
 
 std::size_t ScenePanels::rows() const {
@@ -125,7 +142,7 @@ double ScenePanels::width() const {
 }
 
 double ScenePanels::height() const {
-  return static_cast<double>(rows()) * (kHead + panel_height()) + kLegend;
+  return static_cast<double>(rows()) * (kHead + panel_height()) + (layout_.contacts ? kLegend : 0);
 }
 
 std::string ScenePanels::floor(const Snapshot& snapshot) const {
@@ -133,18 +150,23 @@ std::string ScenePanels::floor(const Snapshot& snapshot) const {
   if (!has_floor_) return data;
   const auto at = [&](double x, double y) { return camera_.flat({x, y, 0}); };
   add_polygon(data,
-              std::array{at(floor_x_.low, floor_y_.low), at(floor_x_.high, floor_y_.low),
-                         at(floor_x_.high, floor_y_.high), at(floor_x_.low, floor_y_.high)},
+              {at(floor_x_.low, floor_y_.low), at(floor_x_.high, floor_y_.low),
+               at(floor_x_.high, floor_y_.high), at(floor_x_.low, floor_y_.high)},
               kFloor, 0);
-  for (std::size_t i = 0; i < boxes_.size(); ++i) {
-    const SceneBox& box = boxes_[i];
-    for (const Facet& face :
-         visible_faces(box.low, box.high, box.in_world(snapshot), Vector3d::UnitZ(), i)) {
-      std::vector<Vector2d> shadow;
-      for (const Vector3d& corner : face.corners) shadow.push_back(at(corner.x(), corner.y()));
-      add_polygon(data, shadow, kShadow, i);
+  for (std::size_t i = 0; i < bodies_.size(); ++i)
+    for (const Piece& piece :
+         seen_from(Vector3d::UnitZ(), surfaces_[i], bodies_[i].in_world(snapshot), i)) {
+      Polygon round;
+      for (const Facet& facet : piece) {
+        Polygon shadow;
+        for (const Vector3d& corner : facet.corners) shadow.push_back(at(corner.x(), corner.y()));
+        if (facet.smooth)
+          round.insert(round.end(), shadow.begin(), shadow.end());
+        else
+          add_polygon(data, shadow, kShadow, i);
+      }
+      if (!round.empty()) add_polygon(data, convex_hull(std::move(round)), kShadow, i);
     }
-  }
   return data;
 }
 
@@ -167,40 +189,77 @@ std::string ScenePanels::grid() const {
   return data;
 }
 
-std::string ScenePanels::surfaces(const Snapshot& snapshot) const {
+unsigned ScenePanels::colour(const Facet& facet) const {
   const Vector3d light =
       (0.5 * camera_.towards_viewer + 0.8 * Vector3d::UnitZ() + 0.7 * camera_.right).normalized();
-  std::vector<Facet> facets;
-  for (std::size_t i = 0; i < boxes_.size(); ++i) {
-    const SceneBox& box = boxes_[i];
-    for (Facet& face :
-         visible_faces(box.low, box.high, box.in_world(snapshot), camera_.towards_viewer, i))
-      facets.push_back(std::move(face));
+  const double brightness = kShade + kLight * std::max(0.0, facet.normal.dot(light));
+  return shaded(bodies_[facet.body].colour, brightness);
+}
+
+/// Facets first: of one piece none hides the edges of another.
+void ScenePanels::paint_whole(std::string& data, const Piece& piece) const {
+  std::vector<Line> edges;
+  for (const Facet& facet : piece) {
+    const Polygon polygon = flat(facet);
+    paint(data, facet, polygon);
+    for (std::size_t k = 0; k < polygon.size(); ++k)
+      if (facet.edge[k]) edges.push_back({polygon[k], polygon[(k + 1) % polygon.size()]});
   }
+  for (const Polygon& line : strokes(std::move(edges), kEdgeWidth / pixels_per_metre_))
+    add_polygon(data, line, kEdge, piece.front().body);
+}
+
+/// Facets with their edges: the next facet may hide them. Cuts are stroked in the face's own
+/// colour, or they would shine through as hairlines; a little short of their ends, where they would
+/// break the outline.
+void ScenePanels::paint_cut(std::string& data, const Piece& facets) const {
   const double line = kEdgeWidth / pixels_per_metre_;
-  std::string data;
-  for (const Facet& facet : back_to_front(std::move(facets), camera_.towards_viewer)) {
-    const double brightness = kShade + kLight * std::max(0.0, facet.normal.dot(light));
-    const unsigned colour = shaded(boxes_[facet.box].colour, brightness);
-    std::vector<Vector2d> corners;
-    for (const Vector3d& corner : facet.corners) corners.push_back(camera_.flat(corner));
-    add_polygon(data, corners, colour, facet.box);
-    // Cuts are stroked in the face's own colour, or they would shine through as hairlines; a little
-    // short of their ends, where they would break the outline.
+  for (const Facet& facet : facets) {
+    const Polygon corners = flat(facet);
+    paint(data, facet, corners);
     for (const bool edges : {false, true})
       for (std::size_t k = 0; k < corners.size(); ++k) {
         const Vector2d &a = corners[k], &b = corners[(k + 1) % corners.size()];
         if (facet.edge[k] != edges || (b - a).norm() < (edges ? 0.02 : 2) * line) continue;
-        add_polygon(data, edges ? stroke(a, b, line, line / 2) : stroke(a, b, 0.4 * line, -line),
-                    edges ? kEdge : colour, facet.box);
+        if (edges)
+          add_polygon(data, stroke(a, b, line, line / 2), kEdge, facet.body);
+        else if (!facet.smooth)
+          add_polygon(data, stroke(a, b, 0.4 * line, -line), colour(facet), facet.body);
       }
   }
+}
+
+Polygon ScenePanels::flat(const Facet& facet) const {
+  Polygon polygon;
+  for (const Vector3d& corner : facet.corners) polygon.push_back(camera_.flat(corner));
+  return polygon;
+}
+
+/// Round surfaces have no lines between facets, which must therefore overlap a little.
+void ScenePanels::paint(std::string& data, const Facet& facet, const Polygon& polygon) const {
+  add_polygon(data, facet.smooth ? widened(polygon, kSeam / pixels_per_metre_) : polygon,
+              colour(facet), facet.body);
+}
+
+std::string ScenePanels::surfaces(const Snapshot& snapshot) const {
+  std::vector<Piece> seen;
+  std::vector<PlacedGeometry> placed;
+  for (std::size_t i = 0; i < bodies_.size(); ++i) {
+    placed.push_back({&bodies_[i].shape.geometry, bodies_[i].in_world(snapshot)});
+    for (Piece& piece : seen_from(camera_.towards_viewer, surfaces_[i], placed.back().pose, i))
+      seen.push_back(std::move(piece));
+  }
+  drop_hidden(seen, placed);
+  std::string data;
+  for (const Coat& coat : painting_order(std::move(seen), camera_))
+    coat.whole ? paint_whole(data, coat.facets) : paint_cut(data, coat.facets);
   return data;
 }
 
 /// Point and arrow in the picture plane (m), size of the force (N); 0 for an idle contact.
 std::string ScenePanels::contacts(const Snapshot& snapshot) const {
   std::string data;
+  if (!layout_.contacts) return data;
   for (const Snapshot::Touch& touch : snapshot.touches) {
     const bool acts = touch.force.norm() > kNoForce * largest_force_;
     const Vector2d at = camera_.flat(touch.position);
@@ -213,8 +272,8 @@ std::string ScenePanels::contacts(const Snapshot& snapshot) const {
 
 std::string ScenePanels::data() const {
   std::string all = fmt::format(
-      "# {}. Picture plane in m. Of every panel: floor and shadows (x y colour box), its "
-      "grid (x y), surfaces from back to front (x y colour box), contacts (x y, force as "
+      "# {}. Picture plane in m. Of every panel: floor and shadows (x y colour body), its "
+      "grid (x y), surfaces from back to front (x y colour body), contacts (x y, force as "
       "arrow dx dy, force in N)\n",
       fit_for_gnuplot(title_));
   for (const Snapshot& snapshot : snapshots_) {
@@ -228,7 +287,7 @@ std::string ScenePanels::data() const {
   return all;
 }
 
-std::string ScenePanels::script(double page_width, double page_height) const {
+std::string ScenePanels::script(double page_width, double page_height, const Place& place) const {
   std::string out = fmt::format(R"(
 unset border
 unset tics
@@ -245,10 +304,11 @@ set yrange [{:.5f}:{:.5f}]
   for (std::size_t i = 0; i < snapshots_.size(); ++i) {
     const double left =
         (page_width - used) / 2 + static_cast<double>(i % columns()) * (panel_width() + kGap);
-    const double top = kHead + static_cast<double>(i / columns()) * (kHead + panel_height());
+    const double top =
+        place.top + kHead + static_cast<double>(i / columns()) * (kHead + panel_height());
     out += gnuplot_margins({left, panel_width(), top, panel_height()}, page_width, page_height);
     out += fmt::format(
-        R"(set title '{letter}{time:.3f} s' offset 0,-0.6 font ',13'
+        R"(set title '{name}{letter}{time:.3f} s' offset 0,-0.6 font ',13'
 plot DATA index {set} using 1:2:3 with filledcurves closed fc rgb variable fs solid 1 noborder, \
      DATA index {set}+1 using 1:2 with lines lw 0.7 lc rgb '#c9c9c5', \
      DATA index {set}+2 using 1:2:3 with filledcurves closed fc rgb variable fs solid 1 noborder, \
@@ -258,16 +318,19 @@ plot DATA index {set} using 1:2:3 with filledcurves closed fc rgb variable fs so
      DATA index {set}+3 using 1:2 with points pt 7 ps 0.5 lc rgb '#ffffff', \
      DATA index {set}+3 using 1:2:($5 > 0 ? 7 : 6) with points pt variable ps 0.45 lw 0.8 lc rgb '#c8102e'
 )",
+        fmt::arg("name", fit_for_gnuplot(layout_.name)),
         fmt::arg("letter",
                  layout_.letters ? fmt::format("({:c}) ", 'a' + static_cast<int>(i)) : ""),
-        fmt::arg("time", snapshots_[i].time), fmt::arg("set", sets_per_panel * i));
+        fmt::arg("time", snapshots_[i].time),
+        fmt::arg("set", place.first_set + sets_per_panel * i));
   }
-  return out + legend(page_width, page_height);
+  return layout_.contacts ? out + legend(page_width, page_height, place.top) : out;
 }
 
-std::string ScenePanels::legend(double page_width, double page_height) const {
-  std::string out = "unset title\n" + gnuplot_margins({0, page_width, height() - kLegend, kLegend},
-                                                      page_width, page_height);
+std::string ScenePanels::legend(double page_width, double page_height, double top) const {
+  std::string out =
+      "unset title\n" +
+      gnuplot_margins({0, page_width, top + height() - kLegend, kLegend}, page_width, page_height);
   out += fmt::format("set xrange [0:{:.0f}]\nset yrange [{:.0f}:0]\n", page_width, kLegend);
   double left = kGap;
   std::string note = "no contact carries a force";

@@ -18,6 +18,7 @@ Simulation::Simulation(System system, Stepping stepping)
       stepping_(std::move(stepping)),
       state_(system_->start),
       dynamics_(system_->model, system_->handles),
+      later_stages_(system_->model, {}),
       joint_space_(system_->model, system_->handles) {
   const Model& model = system_->model;
   if (!(stepping_.dt > 0) || !std::isfinite(stepping_.dt))
@@ -55,7 +56,7 @@ void Simulation::step(const ContactSolver& solver, const std::function<void(cons
               .link_forces = {},
               .pulls = {}};
   if (system_->pull) frame.pulls = system_->pull(state_.time, here);
-  assemble(state_, here, frame.pulls);
+  assemble(dynamics_, state_, here, frame.pulls, {});
   frame.points = contact_points(here);
   frame.points_found = static_cast<Index>(frame.points.size());
   pose_contacts(frame);
@@ -139,20 +140,23 @@ void Simulation::solve(Frame& frame, const ContactSolver& solver) const {
   frame.link_forces = frame.links.J.transpose() * frame.solution.forces;  // (12)
 }
 
-void Simulation::assemble(const State& state, const Kinematics& k,
-                          const std::vector<PointForce>& pulls) {
-  std::vector<Vector6d> forces;
-  if (!pulls.empty()) forces.assign(system_->model.size(), Vector6d::Zero());
+void Simulation::assemble(ForwardDynamics& dynamics, const State& state, const Kinematics& k,
+                          const std::vector<PointForce>& pulls, std::vector<Vector6d> more) const {
+  if (!pulls.empty()) more.resize(system_->model.size(), Vector6d::Zero());
   for (const PointForce& pull : pulls)
-    forces.at(pull.link) += force_at(k.from_origin(pull.position), pull.force);
-  dynamics_.assemble(k, damping_torques(system_->model, state.u), system_->gravity, forces);
+    more.at(pull.link) += force_at(k.from_origin(pull.position), pull.force);
+  dynamics.assemble(k, damping_torques(system_->model, state.u), system_->gravity, more);
 }
 
 VectorXd Simulation::accelerations(const State& state, const Vector3d& origin,
                                    const VectorXd& forces) {
   const Kinematics k = kinematics_of(state, origin);
-  assemble(state, k, system_->pull ? system_->pull(state.time, k) : std::vector<PointForce>());
-  return dynamics_.disassemble(forces).joints;
+  std::vector<Vector6d> on_links(system_->model.size(), Vector6d::Zero());
+  Index next = 0;
+  for (const Index handle : system_->handles) on_links[handle] = forces.segment<6>(6 * next++);
+  const auto pulls = system_->pull ? system_->pull(state.time, k) : std::vector<PointForce>();
+  assemble(later_stages_, state, k, pulls, std::move(on_links));
+  return later_stages_.disassemble(VectorXd(0)).joints;
 }
 
 void Simulation::move_by_runge_kutta(const VectorXd& first_stage, const Vector3d& origin,

@@ -108,8 +108,9 @@ class Simulation {
   std::vector<ContactPoint> contact_points(const Kinematics& kinematics) const;
   void pose_contacts(Frame& frame) const;
   void solve(Frame& frame, const ContactSolver& solver) const;
-  void assemble(const State& state, const Kinematics& kinematics,
-                const std::vector<PointForce>& pulls);
+  /// Assembles the system under what acts on it but contacts, and `more` (6) on each link, if any.
+  void assemble(ForwardDynamics& dynamics, const State& state, const Kinematics& kinematics,
+                const std::vector<PointForce>& pulls, std::vector<Vector6d> more) const;
   VectorXd accelerations(const State& state, const Vector3d& origin, const VectorXd& forces);
   void move_by_runge_kutta(const VectorXd& first_stage, const Vector3d& origin,
                            const VectorXd& forces);
@@ -120,6 +121,7 @@ class Simulation {
   State state_;
   Index number_ = 0;
   ForwardDynamics dynamics_;
+  ForwardDynamics later_stages_;  ///< Without handles: contact forces are known by then.
   std::optional<CompositeBody> composite_;
   JointSpace joint_space_;
 };

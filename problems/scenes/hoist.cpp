@@ -190,7 +190,6 @@ SceneSetup set_up(const HoistKnobs& knobs) {
                      .mu = knobs.stepping.mu},
           .stepping = knobs.stepping.stepping(),
           .duration = 10,
-          .boxes = {},
           .shapes = std::move(shapes)};
 }
 

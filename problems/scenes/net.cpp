@@ -187,7 +187,6 @@ SceneSetup set_up(const NetKnobs& knobs) {
                      .mu = knobs.stepping.mu},
           .stepping = knobs.stepping.stepping(),
           .duration = 2,
-          .boxes = {},
           .shapes = parts.shapes};
 }
 

@@ -161,7 +161,6 @@ SceneSetup set_up(const RingKnobs& knobs) {
                      .mu = knobs.stepping.mu},
           .stepping = knobs.stepping.stepping(),
           .duration = 4,
-          .boxes = {},
           .shapes = std::move(shapes)};
 }
 

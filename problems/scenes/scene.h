@@ -7,7 +7,6 @@
 
 #include "problems/collision/shape.h"
 #include "problems/rigid/simulation.h"
-#include "problems/scenes/link_box.h"
 #include "solvers/options.h"
 
 namespace lcp {
@@ -16,9 +15,9 @@ namespace lcp {
 struct SceneSetup {
   System system;
   Stepping stepping;
-  double duration = 1;                        ///< s.
-  std::vector<LinkBox> boxes;                 ///< For pictures.
-  std::vector<collision::Shape> shapes = {};  ///< Likewise.
+  double duration = 1;  ///< s.
+  std::vector<collision::Shape> shapes =
+      {};  ///< For pictures: bodies, and a floor if there is one.
 };
 
 /// A scene of the catalogue with its knobs set.

@@ -64,7 +64,7 @@ SceneSetup set_up(const SquatKnobs& knobs) {
           knobs.points == 16, knobs.stepping.mu),
       .stepping = knobs.stepping.stepping(),
       .duration = 1,
-      .boxes = link_boxes()};
+      .shapes = shapes_on_the_floor()};
   return setup;
 }
 

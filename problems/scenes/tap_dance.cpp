@@ -122,7 +122,7 @@ SceneSetup set_up(const TapDanceKnobs& knobs) {
               knobs.points == 16, knobs.stepping.mu),
           .stepping = knobs.stepping.stepping(),
           .duration = kDuration,
-          .boxes = link_boxes()};
+          .shapes = shapes_on_the_floor()};
 }
 
 const SceneRegistration tap_dance{

@@ -131,13 +131,17 @@ Model model() {
   return Model(std::move(made));
 }
 
-std::vector<LinkBox> link_boxes() {
-  std::vector<LinkBox> boxes;
-  for (Index i = 0; i < links; ++i) {
-    const LinkBox box{i, vector(table[i].low), vector(table[i].high)};
-    if (box.low != box.high) boxes.push_back(box);
-  }
-  for (const auto& part : parts) boxes.push_back({part.link, vector(part.low), vector(part.high)});
+std::vector<collision::Shape> link_boxes() {
+  std::vector<collision::Shape> boxes;
+  const auto add = [&](Index link, const Vector3d& low, const Vector3d& high) {
+    boxes.push_back({.geometry = collision::Box{high - low},
+                     .link = link,
+                     .in_link = {Matrix3d::Identity(), (low + high) / 2}});
+  };
+  for (Index i = 0; i < links; ++i)
+    if (vector(table[i].low) != vector(table[i].high))
+      add(i, vector(table[i].low), vector(table[i].high));
+  for (const auto& part : parts) add(part.link, vector(part.low), vector(part.high));
   return boxes;
 }
 

@@ -3,8 +3,8 @@
 #include <array>
 #include <vector>
 
+#include "problems/collision/shape.h"
 #include "problems/rigid/model.h"
-#include "problems/scenes/link_box.h"
 
 namespace lcp::magnum {
 
@@ -18,7 +18,7 @@ namespace lcp::magnum {
 Model model();
 
 /// Boxes around the links' shapes.
-std::vector<LinkBox> link_boxes();
+std::vector<collision::Shape> link_boxes();
 
 enum class Side { left, right };
 

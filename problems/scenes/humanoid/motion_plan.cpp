@@ -152,4 +152,10 @@ System on_the_floor(MotionPlan plan, bool mid_edges, double mu) {
   return system;
 }
 
+std::vector<collision::Shape> shapes_on_the_floor() {
+  std::vector<collision::Shape> shapes = link_boxes();
+  shapes.push_back({.geometry = collision::HalfSpace{}});
+  return shapes;
+}
+
 }  // namespace lcp::magnum

@@ -49,4 +49,7 @@ double quintic(const End& from, const End& to, double duration, double time);
 /// The robot on the floor z = 0, following a plan, with these points of each sole to touch it.
 System on_the_floor(MotionPlan plan, bool mid_edges, double mu);
 
+/// The robot's boxes and the floor, for pictures.
+std::vector<collision::Shape> shapes_on_the_floor();
+
 }  // namespace lcp::magnum

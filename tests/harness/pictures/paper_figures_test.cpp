@@ -79,5 +79,41 @@ TEST(PaperFigures, RefuseASceneWithoutTwoFeetAndAPlaceThatIsNone) {
   }
 }
 
+TEST(PaperFigures, ARowOfMomentsPerScene) {
+  const TemporaryDirectory directory;
+  const std::atomic<bool> interrupted = false;
+  const NamedScene squat = short_squat();
+  Index looked = 0;
+  const std::vector<LoopRun> runs = write_figure_4(
+      directory.file("figures"), {{squat, {0, 0.01, 0.02}, -52}, {squat, {0.03}, 20}},
+      make_solver("best-first"), {},
+      [&](const Simulation&, const Frame&, const FrameRecord&) { ++looked; }, interrupted);
+  ASSERT_EQ(runs.size(), 2u);
+  EXPECT_EQ(looked, 21 + 31) << "each until its last moment";
+  const std::string svg = read_text(directory.file("figures/fig4.svg"));
+  EXPECT_EQ(complaint_about_xml(svg), "");
+  for (const char* words : {"squat, 0.000 s", "squat, 0.010 s", "squat, 0.020 s", "squat, 0.030 s"})
+    EXPECT_NE(svg.find(words), std::string::npos) << words;
+  for (const char* other : {"figures/fig4.gp", "figures/fig4.dat"})
+    EXPECT_TRUE(std::filesystem::exists(directory.file(other))) << other;
+}
+
+TEST(PaperFigures, RowsOfMomentsRefuseTimesBeyondTheSceneAndStopWhenInterrupted) {
+  const TemporaryDirectory directory;
+  std::atomic<bool> interrupted = false;
+  const NamedSolver solver = make_solver("best-first");
+  const NamedScene squat = short_squat();
+  EXPECT_THROW(write_figure_4(directory.path(), {{squat, {0.07}, 0}}, solver, {}, {}, interrupted),
+               std::invalid_argument);
+  EXPECT_THROW(write_figure_4(directory.path(), {}, solver, {}, {}, interrupted),
+               std::invalid_argument);
+  const std::vector<LoopRun> runs = write_figure_4(
+      directory.file("figures"), {{squat, {0.02}, 0}, {squat, {0.02}, 0}}, solver, {},
+      [&](const Simulation&, const Frame&, const FrameRecord&) { interrupted = true; },
+      interrupted);
+  EXPECT_EQ(runs.size(), 1u);
+  EXPECT_TRUE(std::filesystem::is_empty(directory.file("figures")));
+}
+
 }  // namespace
 }  // namespace lcp

@@ -33,14 +33,16 @@ TEST(Magnum, IsFiftyFiveCentimetresTall) {
   const Model robot = model();
   const Kinematics k = at_zero(robot);
   double low = 1, high = -1;
-  for (const LinkBox& box : link_boxes())
-    for (const double x : {box.low.x(), box.high.x()})
-      for (const double y : {box.low.y(), box.high.y()})
-        for (const double z : {box.low.z(), box.high.z()}) {
-          const double height = (k.pose[box.link] * Vector3d(x, y, z)).z();
+  for (const collision::Shape& box : link_boxes()) {
+    const Vector3d half = std::get<collision::Box>(box.geometry).edges / 2;
+    for (const double x : {-half.x(), half.x()})
+      for (const double y : {-half.y(), half.y()})
+        for (const double z : {-half.z(), half.z()}) {
+          const double height = (k.pose[box.link] * box.in_link * Vector3d(x, y, z)).z();
           low = std::min(low, height);
           high = std::max(high, height);
         }
+  }
   EXPECT_NEAR(high - low, 0.552, 0.01);
   EXPECT_NEAR((k.pose[foot(Side::left)] * sole(Side::left)).p.z(), low, 1e-3)
       << "it stands on its soles";
