@@ -89,7 +89,25 @@ class DrivenSimulation {
     return record;
   }
 
+  std::vector<Vector3d> centres() const {
+    const Model& model = simulation_.system().model;
+    return link_centres(model, kinematics(model, simulation_.state()));
+  }
+
  private:
+  /// By trapezoids over the steps.
+  void count_work(const Frame& frame, FrameRecord& record) {
+    const Kinematics& k = frame.kinematics;
+    double power = 0;
+    for (const PointForce& pull : frame.pulls) {
+      record.pull += pull.force;
+      power += pull.force.dot(velocity_at(k.from_origin(pull.position), k.velocity[pull.link]));
+    }
+    work_ += simulation_.stepping().dt * (power_ + power) / 2;
+    power_ = power;
+    record.pull_work = work_;
+  }
+
   void describe(const Frame& frame, FrameRecord& record) {
     const Model& model = simulation_.system().model;
     const Kinematics& k = frame.kinematics;
@@ -106,6 +124,10 @@ class DrivenSimulation {
     record.handle_forces.assign(simulation_.system().handles.size(), Vector3d::Zero());
     for (std::size_t h = 0; h < record.handle_forces.size(); ++h)
       record.handle_forces[h] = frame.link_forces.segment<3>(6 * h + 3);
+    record.energy = energy(model, k, simulation_.system().gravity);
+    record.kinetic = energy(model, k, Vector3d::Zero());
+    record.gap = largest_gap(k);
+    count_work(frame, record);
     if (record.contacts == 0) return;
     record.depth = frame.links.depth.maxCoeff();
     for (Index i = 0; i < record.contacts; ++i)
@@ -134,7 +156,16 @@ class DrivenSimulation {
   std::vector<Judgement> judgements_;    ///< Likewise.
   std::int64_t outside_ns_ = 0;
   double yaw_ = 0;
+  double work_ = 0, power_ = 0;  ///< J, W, of what pulls.
 };
+
+bool is_anchored(const Model& model) {
+  for (const Link& link : model.links())
+    if (link.parent == Link::world && link.joint != JointKind::free) return true;
+  for (const Loop& loop : model.loops())
+    if (loop.link1 == Link::world) return true;
+  return false;
+}
 
 }  // namespace
 
@@ -147,10 +178,14 @@ LoopRun run_in_the_loop(const NamedScene& scene, const NamedSolver& solver,
               .dt = scene.setup.stepping.dt,
               .duration = scene.setup.duration,
               .frames = {},
-              .broken = {}};
+              .broken = {},
+              .driven = !scene.setup.system.model.prescribed().empty(),
+              .anchored = is_anchored(scene.setup.system.model),
+              .trail = {}};
   const Index steps = std::lround(run.duration / run.dt);
   DrivenSimulation driven(scene, solver, acceptance, look);
   run.frames.reserve(steps);
+  run.trail.push_back(driven.centres());
   for (Index i = 0; i < steps; ++i) {
     if (interrupted) {
       run.broken = "interrupted";
@@ -158,6 +193,8 @@ LoopRun run_in_the_loop(const NamedScene& scene, const NamedSolver& solver,
     }
     try {
       run.frames.push_back(driven.step());
+      if ((i + 1) * trail_parts / steps > i * trail_parts / steps)
+        run.trail.push_back(driven.centres());
     } catch (const SimulationBroke& error) {
       run.broken = error.what();
       break;

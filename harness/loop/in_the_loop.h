@@ -35,7 +35,15 @@ struct FrameRecord {
   double yaw = 0;                       ///< Of the first link, rad, continued over turns.
   double tilt = 0;                      ///< Angle between its z axis and the vertical, rad.
   std::vector<Vector3d> handle_forces;  ///< Contact force on each handle, N, world axes.
+  Vector3d pull = Vector3d::Zero();     ///< Sum of the forces that pull at links, N.
+  double kinetic = 0;                   ///< Energy, J,
+  double energy = 0;                    ///< and with the potential energy over z = 0.
+  double pull_work = 0;                 ///< Done so far by what pulls at links, J.
+  double gap = 0;                       ///< By which the joint of a loop is open at most, m.
 };
+
+/// Parts of a simulation's duration after which positions are kept.
+inline constexpr Index trail_parts = 20;
 
 /// A simulation from its start to its end, or to where it broke.
 struct LoopRun {
@@ -43,7 +51,11 @@ struct LoopRun {
   Acceptance acceptance;
   double dt = 0, duration = 0;  ///< s.
   std::vector<FrameRecord> frames;
-  std::string broken;  ///< Why it ended early: bodies no longer at finite speed; interrupted.
+  std::string broken;     ///< Why it ended early: bodies no longer at finite speed; interrupted.
+  bool driven = false;    ///< Prescribed joints do work that nobody counts.
+  bool anchored = false;  ///< Joints to the world hold forces that nobody counts.
+  /// Centres of mass of the links, m, at the start and after every further part of the duration.
+  std::vector<std::vector<Vector3d>> trail;
 };
 
 /// Looks at a frame before the bodies move, with its record (step_ns is still 0).

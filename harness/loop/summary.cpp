@@ -53,13 +53,26 @@ double force_mismatch(const LoopRun& run, double mass, const Vector3d& gravity) 
   double worst = 0;
   for (Index begin = 0; begin + window < static_cast<Index>(run.frames.size()); begin += window) {
     double force = 0;
-    for (Index i = begin; i < begin + window; ++i)
+    for (Index i = begin; i < begin + window; ++i) {
       for (const Vector3d& on_handle : run.frames[i].handle_forces) force += on_handle.z();
+      force += run.frames[i].pull.z();
+    }
     const double change =
         run.frames[begin + window].com_velocity.z() - run.frames[begin].com_velocity.z();
     const double steps = static_cast<double>(window);
     const double expected = mass * (change / (steps * run.dt) - gravity.z());
     worst = std::max(worst, std::abs(force / steps - expected) / weight);
+  }
+  return worst;
+}
+
+/// See LoopSummary::energy_excess.
+double energy_excess(const LoopRun& run) {
+  double worst = 0, largest = 0;
+  for (const FrameRecord& frame : run.frames) {
+    largest = std::max(largest, frame.kinetic);
+    const double excess = frame.energy - run.frames.front().energy - frame.pull_work;
+    if (excess > 0) worst = std::max(worst, excess / largest);
   }
   return worst;
 }
@@ -99,6 +112,11 @@ void for_each_field(Summary& s, Field field) {
   field("height_min", s.height_min);
   field("height_end", s.height_end);
   field("force_mismatch", s.force_mismatch);
+  field("work", s.work);
+  field("energy_excess", s.energy_excess);
+  field("gap_max", s.gap_max);
+  field("gap_end", s.gap_end);
+  field("trail", s.trail);
 }
 
 }  // namespace
@@ -116,6 +134,7 @@ LoopSummary summarise(const LoopRun& run, double mass, const Vector3d& gravity) 
   std::vector<double> residuals;
   for (const FrameRecord& frame : run.frames) {
     summary.tilt_max = std::max(summary.tilt_max, frame.tilt);
+    summary.gap_max = std::max(summary.gap_max, frame.gap);
     outside_ns += static_cast<double>(frame.step_ns - frame.frictional_ns - frame.frictionless_ns);
     if (frame.contacts == 0) continue;
     count(frame, summary);
@@ -146,9 +165,28 @@ LoopSummary summarise(const LoopRun& run, double mass, const Vector3d& gravity) 
         std::min_element(run.frames.begin(), run.frames.end(), lower)->centre_of_mass.z();
     summary.height_end = run.frames.back().centre_of_mass.z();
     summary.turn = run.frames.back().yaw - run.frames.front().yaw;
+    summary.work = run.frames.back().pull_work;
+    summary.gap_end = run.frames.back().gap;
   }
-  summary.force_mismatch = force_mismatch(run, mass, gravity);
+  if (!run.anchored) summary.force_mismatch = force_mismatch(run, mass, gravity);
+  if (!run.driven) summary.energy_excess = energy_excess(run);
+  for (const std::vector<Vector3d>& centres : run.trail) {
+    summary.trail.emplace_back();
+    for (const Vector3d& c : centres) summary.trail.back().push_back({c.x(), c.y(), c.z()});
+  }
   return summary;
+}
+
+double mean_link_distance(const LoopSummary& a, const LoopSummary& b, double share) {
+  const auto at = static_cast<std::size_t>(std::lround(trail_parts * share));
+  if (at >= a.trail.size() || at >= b.trail.size() || a.trail[at].size() != b.trail[at].size())
+    return std::numeric_limits<double>::quiet_NaN();
+  double sum = 0;
+  for (std::size_t i = 0; i < a.trail[at].size(); ++i) {
+    const auto &p = a.trail[at][i], &q = b.trail[at][i];
+    sum += std::hypot(p[0] - q[0], p[1] - q[1], p[2] - q[2]);
+  }
+  return sum / static_cast<double>(a.trail[at].size());
 }
 
 void to_json(nlohmann::json& json, const LoopSummary& summary) {
@@ -234,10 +272,19 @@ std::string render(const LoopSummary& s) {
       fmt::format("  first link           {:.2f} degrees of tilt at most, {:.1f} degrees of turn\n",
                   degrees * s.tilt_max,
                   std::round(10 * degrees * s.turn) / 10 + 0.0);  // + 0.0: no "-0.0"
-  text += fmt::format(
-      "  forces               off weight + m a by {:.3f} % of the weight at most "
-      "(20 ms averages)\n",
-      100 * s.force_mismatch);
+  if (!std::isnan(s.force_mismatch))
+    text += fmt::format(
+        "  forces               off weight + m a by {:.3f} % of the weight at most "
+        "(20 ms averages)\n",
+        100 * s.force_mismatch);
+  if (!std::isnan(s.energy_excess))
+    text += fmt::format(
+        "  energy               {:.4f} % of the largest kinetic energy above start and work at "
+        "most; work {:.3f} J\n",
+        100 * s.energy_excess, s.work);
+  if (s.gap_max > 0)
+    text += fmt::format("  loops                open by {:.2e} mm at most, {:.2e} mm at the end\n",
+                        1e3 * s.gap_max, 1e3 * s.gap_end);
   return text;
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cmath>
 #include <nlohmann/json.hpp>
 
@@ -33,8 +34,16 @@ struct LoopSummary {
   double turn = 0;                                   ///< Yaw at the end minus at the start, rad.
   double height_min = 0, height_end = 0;             ///< Of the centre of mass, m.
   /// Largest difference, over 20 ms averages, of the sum of contact forces (vertical) from weight
-  /// plus mass times the centre of mass's acceleration, over the weight.
-  double force_mismatch = 0;
+  /// plus mass times the centre of mass's acceleration minus what pulls, over the weight. None where
+  /// joints to the world bear forces.
+  double force_mismatch = NAN;
+  double work = 0;  ///< Done by what pulls, J.
+  /// Largest excess of the energy over that at the start and the work done since, over the largest
+  /// kinetic energy so far. None where prescribed joints do work.
+  double energy_excess = NAN;
+  double gap_max = 0, gap_end = 0;  ///< By which joints of loops are open, m.
+  /// LoopRun::trail, x y z.
+  std::vector<std::vector<std::array<double, 3>>> trail;
 };
 
 /// `weight` of the system, N; `mass` in kg.
@@ -43,6 +52,10 @@ LoopSummary summarise(const LoopRun& run, double mass, const Vector3d& gravity);
 void to_json(nlohmann::json& json, const LoopSummary& summary);
 /// Throws std::invalid_argument saying which field is missing or malformed.
 void from_json(const nlohmann::json& json, LoopSummary& summary);
+
+/// Mean distance, m, of the links of two simulations of one scene after the same share of its
+/// duration, 0 ... 1 by twentieths; NaN where either has ended by then.
+double mean_link_distance(const LoopSummary& a, const LoopSummary& b, double share);
 
 /// A line per frame: time, contacts, verdicts, work, times, residuals, forces, centre of mass.
 std::string frames_csv(const LoopRun& run);

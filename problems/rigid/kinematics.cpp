@@ -132,6 +132,18 @@ Vector3d centre_of_mass(const Model& model, const Kinematics& k) {
   return sum / model.mass();
 }
 
+std::vector<Vector3d> link_centres(const Model& model, const Kinematics& k) {
+  std::vector<Vector3d> centres;
+  for (Index i = 0; i < model.size(); ++i) centres.push_back(k.pose[i] * model.link(i).centre);
+  return centres;
+}
+
+double largest_gap(const Kinematics& k) {
+  double gap = 0;
+  for (const LoopKinematics& loop : k.loops) gap = std::max(gap, loop.gap);
+  return gap;
+}
+
 Matrix6d link_inertia(const Model& model, const Kinematics& k, Index i) {
   const Link& link = model.link(i);
   const Matrix3d& R = k.pose[i].R;

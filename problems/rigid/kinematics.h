@@ -45,6 +45,12 @@ Vector6d momentum(const Model& model, const Kinematics& kinematics);
 /// Kinetic energy, and potential energy over z = 0 under gravity (m/s^2, world axes); J.
 double energy(const Model& model, const Kinematics& kinematics, const Vector3d& gravity);
 
+/// Centre of mass of each link, m.
+std::vector<Vector3d> link_centres(const Model& model, const Kinematics& kinematics);
+
+/// Largest distance by which a loop's joint is open, m; 0 without loops.
+double largest_gap(const Kinematics& kinematics);
+
 /// Inertia of link i at O.
 Matrix6d link_inertia(const Model& model, const Kinematics& kinematics, Index i);
 

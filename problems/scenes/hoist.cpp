@@ -189,6 +189,7 @@ SceneSetup set_up(const HoistKnobs& knobs) {
                      .pull = std::move(pull),
                      .mu = knobs.stepping.mu},
           .stepping = knobs.stepping.stepping(),
+          .length = kPitch * static_cast<double>(knobs.links),
           .duration = 10,
           .shapes = std::move(shapes)};
 }

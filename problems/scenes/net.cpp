@@ -49,7 +49,7 @@ constexpr double kSpacing = 0.2;                   // m, between parallel string
 constexpr double kCrossing = 0.001;                // m, between strings at the start
 constexpr double kCylinderRadius = 0.045, kCylinderLength = 0.3;  // m
 constexpr double kCylinderMass = 0.25;                            // kg
-constexpr double kCylinderSpacing = 0.1;                         // m, in a layer
+constexpr double kCylinderSpacing = 0.1;                          // m, in a layer
 constexpr Index kLayer = 3;                                       // cylinders of the lowest layer
 
 /// Pitch of link i of a string: downwards at first.
@@ -186,6 +186,7 @@ SceneSetup set_up(const NetKnobs& knobs) {
                      .collide = touching(parts.shapes, parts.joined, knobs.surfaces),
                      .mu = knobs.stepping.mu},
           .stepping = knobs.stepping.stepping(),
+          .length = kLinks * kLength,
           .duration = 2,
           .shapes = parts.shapes};
 }

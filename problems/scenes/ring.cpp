@@ -138,8 +138,8 @@ SceneSetup set_up(const RingKnobs& knobs) {
 
   Model model(std::move(links));
   State at = state_at_zero(model);
-  const Eigen::Quaterniond tilt(Eigen::AngleAxisd(knobs.tilt * std::numbers::pi / 180,
-                                                  Vector3d(1, 1, 0).normalized()));
+  const Eigen::Quaterniond tilt(
+      Eigen::AngleAxisd(knobs.tilt * std::numbers::pi / 180, Vector3d(1, 1, 0).normalized()));
   shapes[0].in_link.R = tilt.toRotationMatrix();
   const double period = 4 * kRingRadius + kPiece * kPieces - (hooked(knobs.corners) + knobs.gap);
   std::vector<Index> handles;
@@ -160,6 +160,7 @@ SceneSetup set_up(const RingKnobs& knobs) {
                      .collide = std::move(collide),
                      .mu = knobs.stepping.mu},
           .stepping = knobs.stepping.stepping(),
+          .length = period * static_cast<double>(knobs.wires),
           .duration = 4,
           .shapes = std::move(shapes)};
 }

@@ -44,6 +44,7 @@ NamedScene make_scene(const std::string& text) {
 Stepping SteppingKnobs::stepping() const {
   Stepping stepping;
   stepping.scheme = scheme;
+  stepping.dt = dt;
   stepping.contact = {.friction = {.directions = directions, .axes = axes},
                       .start = start,
                       .active_only = active_only};
@@ -76,6 +77,7 @@ OptionTable with_stepping_knobs(OptionTable table, SteppingKnobs& knobs) {
              "noise: from the composite body, or the joint space where joints move"));
   table.push_back(choice("scheme", knobs.scheme, {"paper", "semi-implicit"},
                          "RK4 with the contact forces of its first stage, or Euler in velocities"));
+  table.push_back(real("dt", knobs.dt, 1e-6, 1, "time step, s"));
   return table;
 }
 

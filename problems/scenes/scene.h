@@ -15,6 +15,7 @@ namespace lcp {
 struct SceneSetup {
   System system;
   Stepping stepping;
+  double length = 1;    ///< m, of what moves: the measure of distances between two motions.
   double duration = 1;  ///< s.
   std::vector<collision::Shape> shapes =
       {};  ///< For pictures: bodies, and a floor if there is one.
@@ -66,6 +67,7 @@ struct SteppingKnobs {
   double correction = 0.005;
   Stepping::Matrix matrix = Stepping::Matrix::ada;
   Stepping::Scheme scheme = Stepping::Scheme::paper;
+  double dt = 1e-3;
 
   Stepping stepping() const;
 };

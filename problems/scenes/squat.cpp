@@ -63,6 +63,7 @@ SceneSetup set_up(const SquatKnobs& knobs) {
               model(), [&](double t) { return posture_at(t, knobs); }, knobs.period, kKnotSpacing),
           knobs.points == 16, knobs.stepping.mu),
       .stepping = knobs.stepping.stepping(),
+      .length = height,
       .duration = 1,
       .shapes = shapes_on_the_floor()};
   return setup;

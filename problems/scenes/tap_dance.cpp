@@ -121,6 +121,7 @@ SceneSetup set_up(const TapDanceKnobs& knobs) {
                   model(), [&](double t) { return dance.at(t); }, kDuration, kKnotSpacing),
               knobs.points == 16, knobs.stepping.mu),
           .stepping = knobs.stepping.stepping(),
+          .length = magnum::height,
           .duration = kDuration,
           .shapes = shapes_on_the_floor()};
 }

@@ -23,6 +23,7 @@ std::vector<collision::Shape> link_boxes();
 enum class Side { left, right };
 
 inline constexpr Index body = 0;
+inline constexpr double height = 0.55;  ///< m, standing upright.
 
 /// Links of a leg from the hip down; the last carries the sole.
 std::array<Index, 6> leg(Side side);
