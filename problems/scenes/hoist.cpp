@@ -1,15 +1,16 @@
 // hoist: a chain is thrown over a rod, and one of its ends is pulled along the floor.
 //
 // What      The hoist of the paper's Section V-C, Table III and Fig. 4: a long open chain in continuous
-//           contact with a rod. Ours also lies on a floor with both ends: boxes on a round rod touch it
-//           in two points each, boxes on the floor in four.
-// Chain     `links` boxes of 90 x 60 x 40 mm, 0.15 kg, joined by ball joints 0.1 m apart, with a damping
-//           of 2 mN m s/rad. It begins as an arch that follows the rod at a distance, two strands down
-//           to the floor, and the rest flat on it; `lift` above all this, and thrown upwards.
-// Rod       Round, along y, fixed; its radius fits the arch: 0.27 m for 26 links. It grows with the
+//           contact with a rod. Ours also lies on a floor with both ends. Links on the round rod touch
+//           it in four points, of which two are redundant, links on the floor in eight.
+// Chain     `links` links joined by ball joints 0.1 m apart, with a damping of 2 mN m s/rad. A link is two
+//           plates of 90 x 20 x 40 mm, 20 mm apart, 0.15 kg together. The chain begins as an arch that
+//           follows the rod at a distance, two strands down to the floor, and the rest flat on it; `lift`
+//           above all this, and thrown upwards.
+// Rod       Round, along y, fixed; its radius fits the arch: 0.23 m for 26 links. It grows with the
 //           chain, so that the share of links on the rod, in the air and on the floor stays.
-// Pull      A hand holds the free end of the last link through a spring (500 N/m) and a damper
-//           (20 N s/m). It takes hold between 2 s and 3 s and goes away along the floor by `pull` of the
+// Pull      A hand holds the centre of the last link through a spring (500 N/m) and a damper
+//           (10 N s/m). It takes hold between 2 s and 3 s and goes away along the floor by `pull` of the
 //           chain's length between 3 s and 7 s, along a quintic, then rests.
 // Source    K. Yamane, Y. Nakamura (2008), V-C; sizes, masses, motion and friction are not published.
 
@@ -19,6 +20,7 @@
 #include <numbers>
 
 #include "problems/scenes/scene.h"
+#include "problems/scenes/smooth_step.h"
 #include "problems/scenes/solid_bodies.h"
 
 namespace lcp {
@@ -135,13 +137,7 @@ State start(const Model& model, const Layout& layout, const HoistKnobs& knobs) {
   return state;
 }
 
-/// 0 before `begin`, 1 after `end`, a quintic between.
-double quintic(double time, double begin, double end) {
-  const double s = std::clamp((time - begin) / (end - begin), 0.0, 1.0);
-  return s * s * s * (10 + s * (6 * s - 15));
-}
-
-/// The hand at the free end of the last link, which pulls it from where it lies at the start.
+/// The hand at the last link, which pulls it from where it lies at the start.
 std::function<std::vector<PointForce>(double, const Kinematics&)> hand(const Model& model,
                                                                        const State& at,
                                                                        const HoistKnobs& knobs) {
@@ -151,10 +147,11 @@ std::function<std::vector<PointForce>(double, const Kinematics&)> hand(const Mod
   held.z() -= knobs.lift;
   const double way = knobs.pull * kPitch * static_cast<double>(model.size());
   return [=](double time, const Kinematics& k) -> std::vector<PointForce> {
-    const double grip = quintic(time, kHold, kPull);
+    const double grip = smooth_step((time - kHold) / (kPull - kHold));
     if (grip == 0) return {};
     const Vector3d end = k.pose[last] * tip;
-    const Vector3d hand = held + way * quintic(time, kPull, kRest) * Vector3d::UnitX();
+    const Vector3d hand =
+        held + way * smooth_step((time - kPull) / (kRest - kPull)) * Vector3d::UnitX();
     const Vector3d velocity = velocity_at(k.from_origin(end), k.velocity[last]);
     return {{last, end, grip * (kStiffness * (hand - end) - kDamper * velocity)}};
   };

@@ -27,6 +27,7 @@ struct SquatKnobs {
   double drop = 0.058;
   double period = 1;
   double swing = 0.6;
+  Surfaces surfaces = Surfaces::exact;
   SteppingKnobs stepping;
 };
 
@@ -36,6 +37,8 @@ OptionTable knob_table(SquatKnobs& knobs) {
       real("drop", knobs.drop, 0, 0.07, "by which the centre of mass goes down, m"),
       real("period", knobs.period, 0.2, 100, "of going down and up, s"),
       real("swing", knobs.swing, 0, 1.5, "of the arms to the front, rad"),
+      choice("surfaces", knobs.surfaces, {"exact", "mesh"},
+             "points of the soles, or triangles of soles and floor"),
   };
   return with_stepping_knobs(std::move(own), knobs.stepping);
 }
@@ -61,7 +64,7 @@ SceneSetup set_up(const SquatKnobs& knobs) {
       .system = on_the_floor(
           plan_motion(
               model(), [&](double t) { return posture_at(t, knobs); }, knobs.period, kKnotSpacing),
-          knobs.points == 16, knobs.stepping.mu),
+          knobs.points == 16, knobs.surfaces, knobs.stepping.mu),
       .stepping = knobs.stepping.stepping(),
       .length = height,
       .duration = 1,

@@ -38,6 +38,7 @@ struct TapDanceKnobs {
   double turn = 70;
   double stance = 0.1;
   double height = 0.25;
+  Surfaces surfaces = Surfaces::exact;
   SteppingKnobs stepping;
 };
 
@@ -51,6 +52,8 @@ OptionTable knob_table(TapDanceKnobs& knobs) {
       real("turn", knobs.turn, -120, 120, "of the robot, degrees"),
       real("stance", knobs.stance, 0.08, 0.2, "between the middles of the soles, m"),
       real("height", knobs.height, 0.2, 0.27, "of the centre of mass, m"),
+      choice("surfaces", knobs.surfaces, {"exact", "mesh"},
+             "points of the soles, or triangles of soles and floor"),
   };
   return with_stepping_knobs(std::move(own), knobs.stepping);
 }
@@ -119,7 +122,7 @@ SceneSetup set_up(const TapDanceKnobs& knobs) {
   return {.system = on_the_floor(
               plan_motion(
                   model(), [&](double t) { return dance.at(t); }, kDuration, kKnotSpacing),
-              knobs.points == 16, knobs.stepping.mu),
+              knobs.points == 16, knobs.surfaces, knobs.stepping.mu),
           .stepping = knobs.stepping.stepping(),
           .length = magnum::height,
           .duration = kDuration,

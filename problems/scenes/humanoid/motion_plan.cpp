@@ -10,11 +10,12 @@ namespace lcp::magnum {
 
 namespace {
 
-constexpr double kReached = 1e-11;    // m and rad: a posture is met
-constexpr int kMostIterations = 200;  // a few suffice; beyond, the posture is out of reach
-constexpr double kLargestTurn = 0.3;  // rad, of a joint in one iteration
-constexpr double kBentKnee = 0.6;     // rad, first guess: a stretched leg is singular
-constexpr double kElbow = 0.5;        // rad, elbows stay bent
+constexpr double kReached = 1e-11;       // m and rad: a posture is met
+constexpr int kMostIterations = 200;     // a few suffice; beyond, the posture is out of reach
+constexpr double kLargestTurn = 0.3;     // rad, of a joint in one iteration
+constexpr double kBentKnee = 0.6;        // rad, first guess: a stretched leg is singular
+constexpr double kElbow = 0.5;           // rad, elbows stay bent
+constexpr double kSoleThickness = 0.01;  // m, where soles are triangles
 
 Vector3d rotation_vector(const Matrix3d& R) {
   const Eigen::AngleAxisd turn(R);
@@ -87,6 +88,36 @@ VectorXd joint_angles(const Model& model, const State& state) {
   return angles;
 }
 
+/// Those of the points of both soles that are not above the floor.
+std::function<std::vector<ContactPoint>(const Kinematics&)> soles_touching(
+    std::vector<Vector3d> points) {
+  return [points = std::move(points)](const Kinematics& k) {
+    std::vector<ContactPoint> found;
+    for (const Side side : {Side::left, Side::right}) {
+      const Pose at = k.pose[foot(side)] * sole(side);
+      for (std::size_t i = 0; i < points.size(); ++i) {
+        const Vector3d position = at * points[i];
+        if (position.z() <= 0)
+          found.push_back({.position = position,
+                           .normal = Vector3d::UnitZ(),
+                           .depth = -position.z(),
+                           .id = {body_of(foot(side)), 0, static_cast<Index>(i)}});
+      }
+    }
+    return found;
+  };
+}
+
+/// Soles as plates.
+std::vector<collision::Shape> soles_and_floor() {
+  const Vector3d edges(sole_front - sole_back, 2 * sole_half_width, kSoleThickness);
+  const Pose plate{Matrix3d::Identity(), {(sole_front + sole_back) / 2, 0, kSoleThickness / 2}};
+  std::vector<collision::Shape> shapes = {{collision::HalfSpace{}}};
+  for (const Side side : {Side::left, Side::right})
+    shapes.push_back({collision::Box{edges}, foot(side), sole(side) * plate});
+  return shapes;
+}
+
 }  // namespace
 
 JointMotion MotionPlan::at(double time) const {
@@ -110,11 +141,6 @@ MotionPlan plan_motion(const Model& model, const std::function<Posture(double)>&
   return plan;
 }
 
-double smooth_step(double share) {
-  const double s = std::clamp(share, 0.0, 1.0);
-  return s * s * s * (10 + s * (-15 + 6 * s));
-}
-
 double quintic(const End& from, const End& to, double duration, double time) {
   const double T = duration, s = time / T;
   // As a cubic of the start's derivatives plus what the end adds, in powers of s from s^3.
@@ -128,27 +154,13 @@ double quintic(const End& from, const End& to, double duration, double time) {
   return start + s * s * s * (third + s * (fourth + s * fifth));
 }
 
-System on_the_floor(MotionPlan plan, bool mid_edges, double mu) {
+System on_the_floor(MotionPlan plan, bool mid_edges, Surfaces surfaces, double mu) {
   System system{.model = model(), .start = plan.start, .handles = {}, .collide = {}};
   system.handles = {foot(Side::left), foot(Side::right)};
   system.reference = [plan](double time) { return plan.at(time); };
   system.mu = mu;
-  const std::vector<Vector3d> points = sole_points(mid_edges);
-  system.collide = [points](const Kinematics& k) {
-    std::vector<ContactPoint> found;
-    for (const Side side : {Side::left, Side::right}) {
-      const Pose at = k.pose[foot(side)] * sole(side);
-      for (std::size_t i = 0; i < points.size(); ++i) {
-        const Vector3d position = at * points[i];
-        if (position.z() <= 0)
-          found.push_back({.position = position,
-                           .normal = Vector3d::UnitZ(),
-                           .depth = -position.z(),
-                           .id = {body_of(foot(side)), 0, static_cast<Index>(i)}});
-      }
-    }
-    return found;
-  };
+  system.collide = surfaces == Surfaces::exact ? soles_touching(sole_points(mid_edges))
+                                               : touching(soles_and_floor(), {}, surfaces);
   return system;
 }
 

@@ -6,6 +6,8 @@
 #include "problems/rigid/cubic_spline.h"
 #include "problems/rigid/simulation.h"
 #include "problems/scenes/humanoid/magnum.h"
+#include "problems/scenes/smooth_step.h"
+#include "problems/scenes/solid_bodies.h"
 
 namespace lcp::magnum {
 
@@ -35,9 +37,6 @@ struct MotionPlan {
 MotionPlan plan_motion(const Model& model, const std::function<Posture(double time)>& posture,
                        double duration, double spacing);
 
-/// Quintic from 0 to 1 as `share` goes from 0 to 1, at rest at both ends; 0 before and 1 after.
-double smooth_step(double share);
-
 /// What a curve does at one end of a piece.
 struct End {
   double value, rate, acceleration;
@@ -46,8 +45,10 @@ struct End {
 /// The quintic that goes from one end to the other in `duration` s, at `time` after its beginning.
 double quintic(const End& from, const End& to, double duration, double time);
 
-/// The robot on the floor z = 0, following a plan, with these points of each sole to touch it.
-System on_the_floor(MotionPlan plan, bool mid_edges, double mu);
+/// The robot on the floor z = 0, following a plan, with the corners of each sole to touch it, and the
+/// middles of its edges where `mid_edges`; or with triangles, as a detector for general polygonal
+/// objects finds them.
+System on_the_floor(MotionPlan plan, bool mid_edges, Surfaces surfaces, double mu);
 
 /// The robot's boxes and the floor, for pictures.
 std::vector<collision::Shape> shapes_on_the_floor();

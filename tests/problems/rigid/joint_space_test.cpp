@@ -162,7 +162,7 @@ TEST(JointSpace, OfWhatIsHeldEverywhereIsExactlyZero) {
   cases::Uniform uniform(62);
   const Link free = cases::random_link(Link::world, JointKind::free, uniform);
   const Link led = cases::random_link(Link::world, JointKind::prescribed, uniform);
-  const Model tied({free}, {Loop{.joint = JointKind::fixed}}), driven({led});
+  const Model tied({free}, {Loop{.name = "loop", .joint = JointKind::fixed}}), driven({led});
   for (const Model* model : {&tied, &driven}) {
     const State state = state_at_zero(*model);
     EXPECT_EQ(freedoms(*model, state), 0);
