@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <map>
 #include <numbers>
 #include <stdexcept>
 
@@ -121,13 +122,41 @@ Mesh mesh_of(const Cylinder& cylinder, Index around) {
   return mesh;
 }
 
-Mesh mesh_of(const Box& box) {
+Mesh mesh_of(const Box& box, Index divisions) {
+  require_at_least(1, divisions, "divisions of a face");
   Mesh mesh;
-  for (int k = 0; k < 8; ++k)
-    mesh.vertices.push_back(Vector3d((k & 1) - 0.5, ((k >> 1) & 1) - 0.5, ((k >> 2) & 1) - 0.5)
-                                .cwiseProduct(box.edges));
-  mesh.triangles = {{0, 2, 3}, {0, 3, 1}, {4, 5, 7}, {4, 7, 6}, {0, 1, 5}, {0, 5, 4},
-                    {2, 6, 7}, {2, 7, 3}, {0, 4, 6}, {0, 6, 2}, {1, 3, 7}, {1, 7, 5}};
+  std::map<std::array<Index, 3>, int> numbers;  // of vertices, by their place on the lattice
+  const auto vertex = [&](const std::array<Index, 3>& at) {
+    const auto [place, fresh] = numbers.emplace(at, static_cast<int>(mesh.vertices.size()));
+    if (fresh) {
+      const Vector3d share = Vector3d(at[0], at[1], at[2]) / static_cast<double>(divisions);
+      mesh.vertices.push_back((share.array() - 0.5).matrix().cwiseProduct(box.edges));
+    }
+    return place->second;
+  };
+  for (int axis = 0; axis < 3; ++axis) {
+    for (const Index level : {Index{0}, divisions}) {
+      for (Index i = 0; i < divisions; ++i) {
+        for (Index j = 0; j < divisions; ++j) {
+          const auto corner = [&](Index di, Index dj) {
+            std::array<Index, 3> at{};
+            at[axis] = level;
+            at[(axis + 1) % 3] = i + di;
+            at[(axis + 2) % 3] = j + dj;
+            return vertex(at);
+          };
+          const int a = corner(0, 0), b = corner(1, 0), c = corner(1, 1), d = corner(0, 1);
+          if (level > 0) {
+            mesh.triangles.push_back({a, b, c});
+            mesh.triangles.push_back({a, c, d});
+          } else {
+            mesh.triangles.push_back({a, c, b});
+            mesh.triangles.push_back({a, d, c});
+          }
+        }
+      }
+    }
+  }
   return mesh;
 }
 

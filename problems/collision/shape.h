@@ -81,7 +81,8 @@ Mesh mesh_of(const Capsule& capsule, Index around, Index rings);
 /// 3.
 Mesh mesh_of(const Cylinder& cylinder, Index around);
 
-/// The same of a box: 2 triangles a face.
-Mesh mesh_of(const Box& box);
+/// The same of a box, each face of `divisions`^2 rectangles. Throws std::invalid_argument when
+/// there are less than 1.
+Mesh mesh_of(const Box& box, Index divisions);
 
 }  // namespace lcp::collision

@@ -68,16 +68,10 @@ struct SolidInertia {
   }
 };
 
-/// A floor of triangles: the upper face of a box that is large beside any scene.
-constexpr double kFloorWidth = 20, kFloorThickness = 1;  // m
-
-Shape as_mesh(const Shape& shape) {
+Shape as_mesh(const Shape& shape, Index divisions) {
   Shape mesh = shape;
   const Index around = kFacetsAround;
-  if (std::holds_alternative<HalfSpace>(shape.geometry)) {
-    mesh.geometry = mesh_of(Box{{kFloorWidth, kFloorWidth, kFloorThickness}});
-    mesh.in_link.p -= shape.in_link.R.col(2) * (kFloorThickness / 2);
-  } else if (const auto* sphere = std::get_if<Sphere>(&shape.geometry)) {
+  if (const auto* sphere = std::get_if<Sphere>(&shape.geometry)) {
     mesh.geometry = mesh_of(Capsule{sphere->radius, 0}, around, around / 4);
   } else if (const auto* capsule = std::get_if<Capsule>(&shape.geometry)) {
     mesh.geometry = mesh_of(*capsule, around, around / 4);
@@ -86,7 +80,7 @@ Shape as_mesh(const Shape& shape) {
   } else if (const auto* cylinder = std::get_if<Cylinder>(&shape.geometry)) {
     mesh.geometry = mesh_of(*cylinder, 4 * around);
   } else if (const auto* box = std::get_if<Box>(&shape.geometry)) {
-    mesh.geometry = mesh_of(*box);
+    mesh.geometry = mesh_of(*box, divisions);
   }
   return mesh;
 }
@@ -99,9 +93,10 @@ Matrix3d solid_inertia(const Geometry& geometry, double mass) {
 
 std::function<std::vector<ContactPoint>(const Kinematics&)> touching(std::vector<Shape> shapes,
                                                                      std::vector<LinkPair> excluded,
-                                                                     Surfaces surfaces) {
+                                                                     Surfaces surfaces,
+                                                                     Index divisions) {
   if (surfaces == Surfaces::mesh)
-    for (Shape& shape : shapes) shape = as_mesh(shape);
+    for (Shape& shape : shapes) shape = as_mesh(shape, divisions);
   return [world = World(std::move(shapes), std::move(excluded))](const Kinematics& k) mutable {
     return world.contacts(k);
   };

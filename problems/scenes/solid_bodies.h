@@ -24,9 +24,9 @@ enum class Surfaces {
 inline constexpr Index kFacetsAround = 12;
 
 /// The rule by which the shapes of a scene touch one another, all but those of excluded pairs of
-/// links.
+/// links. As a mesh a face of a box has `divisions`^2 rectangles; half-spaces stay what they are.
 std::function<std::vector<ContactPoint>(const Kinematics&)> touching(
     std::vector<collision::Shape> shapes, std::vector<collision::LinkPair> excluded,
-    Surfaces surfaces);
+    Surfaces surfaces, Index divisions = 1);
 
 }  // namespace lcp

@@ -38,7 +38,7 @@ OptionTable knob_table(SquatKnobs& knobs) {
       real("period", knobs.period, 0.2, 100, "of going down and up, s"),
       real("swing", knobs.swing, 0, 1.5, "of the arms to the front, rad"),
       choice("surfaces", knobs.surfaces, {"exact", "mesh"},
-             "points of the soles, or triangles of soles and floor"),
+             "points of the soles, or all vertices of their triangles"),
   };
   return with_stepping_knobs(std::move(own), knobs.stepping);
 }

@@ -15,7 +15,8 @@ constexpr int kMostIterations = 200;     // a few suffice; beyond, the posture i
 constexpr double kLargestTurn = 0.3;     // rad, of a joint in one iteration
 constexpr double kBentKnee = 0.6;        // rad, first guess: a stretched leg is singular
 constexpr double kElbow = 0.5;           // rad, elbows stay bent
-constexpr double kSoleThickness = 0.01;  // m, where soles are triangles
+constexpr double kSoleThickness = 0.01;  // m, where soles are triangles,
+constexpr Index kSoleDivisions = 3;      // of their faces each way
 
 Vector3d rotation_vector(const Matrix3d& R) {
   const Eigen::AngleAxisd turn(R);
@@ -159,8 +160,9 @@ System on_the_floor(MotionPlan plan, bool mid_edges, Surfaces surfaces, double m
   system.handles = {foot(Side::left), foot(Side::right)};
   system.reference = [plan](double time) { return plan.at(time); };
   system.mu = mu;
-  system.collide = surfaces == Surfaces::exact ? soles_touching(sole_points(mid_edges))
-                                               : touching(soles_and_floor(), {}, surfaces);
+  system.collide = surfaces == Surfaces::exact
+                       ? soles_touching(sole_points(mid_edges))
+                       : touching(soles_and_floor(), {}, surfaces, kSoleDivisions);
   return system;
 }
 

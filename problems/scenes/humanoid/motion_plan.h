@@ -46,8 +46,7 @@ struct End {
 double quintic(const End& from, const End& to, double duration, double time);
 
 /// The robot on the floor z = 0, following a plan, with the corners of each sole to touch it, and the
-/// middles of its edges where `mid_edges`; or with triangles, as a detector for general polygonal
-/// objects finds them.
+/// middles of its edges where `mid_edges`; or with all 16 vertices of the triangles of each.
 System on_the_floor(MotionPlan plan, bool mid_edges, Surfaces surfaces, double mu);
 
 /// The robot's boxes and the floor, for pictures.

@@ -12,7 +12,7 @@ namespace lcp {
 namespace {
 
 constexpr Index kArch = 12, kArm = 2, kLinks = kArch + 2 * kArm;
-constexpr double kLength = 0.03, kRadius = 0.002, kMass = 0.01;  // of a link, m, kg
+constexpr double kLength = 0.03, kRadius = 0.0005, kMass = 0.01;  // of a link, m, kg
 constexpr double kDepth = 1e-6;                                  // m, by which links press at first
 constexpr double kHeld = 10;                                     // N, T1
 
