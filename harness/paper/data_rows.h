@@ -15,8 +15,8 @@ nlohmann::ordered_json row_object(int table, const std::string& column, const st
                                   const std::string& mode, const std::string& corpus,
                                   const Acceptance& acceptance);
 
-/// Adds every quantity by its key, null where there is none, and `published` with the printed values
-/// of the column.
+/// Adds every quantity by its key, null where there is none, and `published` with the printed
+/// values of the column.
 void add_quantities(nlohmann::ordered_json& object, const PublishedTable& published,
                     const std::string& column,
                     const std::function<std::optional<double>(const PaperQuantity&)>& value_of);
