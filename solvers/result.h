@@ -38,7 +38,7 @@ struct Work {
   Index sweeps = 0;          ///< Passes of an iterative method.
   Index start_pivots = 0;    ///< Principal pivots taken to enter the starting basis, |alpha|.
   /// Times a start was replaced by a cold one: an unusable basis with restart=cold, or a two-step
-  /// solve whose first step failed.
+  /// solve whose first step failed; or a search was given up for another (patience).
   Index restarts = 0;
   Index frictionless_pivots = 0;  ///< Of the first step of a two-step solve; not in `pivots`.
 

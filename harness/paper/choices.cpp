@@ -166,7 +166,7 @@ const std::vector<Choice>& choices() {
       {"active contacts", "only, judged in full", "active_only=on", "best-first", {}},
       {"active contacts", "only, never looked at again", "active_only=on", papers_constants,
        by_paper},
-      {"matrix", "of the composite body", "composite=on", "best-first", {}},
+      {"matrix", "of the composite body", "matrix=clean", "best-first", {}},
       {"start", "cold", "start=cold", "best-first", {}},
       {"start", "all active normals", "start=all-active", "best-first", {}},
       {"reduction", "none", "reduction=none", "best-first", {}},

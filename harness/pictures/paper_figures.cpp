@@ -16,16 +16,17 @@ namespace lcp {
 namespace {
 
 constexpr Index kMoments = 8;
-constexpr double kPanelHeight = 240, kPanelWidth = 300, kBelow = 10;  // of figure 4, pixels
+constexpr double kPanelWidth = 300, kBelow = 10;  // of figure 4, pixels
 
 constexpr struct {
   const char* scene;
-  double moments[3];  // over the scene's duration
-  double azimuth;     // degrees
+  double moments[3];          // over the scene's duration
+  double azimuth, elevation;  // degrees
+  double height;              // pixels
 } kFilms[] = {
-    {"hoist", {0, 0.5, 1}, -52},
-    {"ring", {0, 0.5, 1}, -52},
-    {"net", {0, 0.5, 1}, -52},
+    {"hoist", {0, 0.5, 1}, -52, 14, 240},
+    {"ring", {0, 0.5, 1}, -52, 14, 420},
+    {"net", {0, 0.1, 1}, -52, 30, 240},
 };
 
 void make_directory(const std::filesystem::path& directory) {
@@ -102,7 +103,11 @@ LoopRun write_figure_3(const std::filesystem::path& directory, const NamedScene&
 std::vector<FilmedScene> figure_4_scenes() {
   std::vector<FilmedScene> filmed;
   for (const auto& film : kFilms) {
-    filmed.push_back({.scene = make_scene(film.scene), .times = {}, .azimuth = film.azimuth});
+    filmed.push_back({.scene = make_scene(film.scene),
+                      .times = {},
+                      .azimuth = film.azimuth,
+                      .elevation = film.elevation,
+                      .height = film.height});
     for (const double share : film.moments)
       filmed.back().times.push_back(share * filmed.back().scene.setup.duration);
   }
@@ -131,12 +136,13 @@ std::vector<LoopRun> write_figure_4(const std::filesystem::path& directory,
                                    interrupted));
     if (interrupted && !runs.back().broken.empty()) return runs;
     rows.emplace_back(film.scene, snapshots[i].taken(),
-                      ScenePanels::Layout{.height = kPanelHeight,
+                      ScenePanels::Layout{.height = film.height,
                                           .most_width = kPanelWidth,
                                           .least_width = kPanelWidth,
                                           .name = film.scene.info.name + ", ",
                                           .contacts = false,
-                                          .azimuth = film.azimuth});
+                                          .azimuth = film.azimuth,
+                                          .elevation = film.elevation});
   }
   draw_rows(rows, fmt::format("Simulations with {} in the loop.", solver.spelling),
             directory / "fig4.svg");

@@ -30,7 +30,9 @@ LoopRun write_figure_3(const std::filesystem::path& directory, const NamedScene&
 struct FilmedScene {
   NamedScene scene;
   std::vector<double> times;  ///< s.
-  double azimuth = 0;         ///< Where the viewer stands, degrees from x towards y.
+  double azimuth = 0;         ///< Where the viewer stands, degrees from x towards y,
+  double elevation = 14;      ///< and above the horizon.
+  double height = 240;        ///< Of its pictures, pixels.
 };
 
 /// What the paper's Fig. 4 shows, from the top row.

@@ -97,6 +97,14 @@ double area(const Polygon& polygon) {
   return sum;
 }
 
+double thickness(const Polygon& points) {
+  const Polygon hull = convex_hull(points);
+  double longest = 0;
+  for (const Vector2d& a : hull)
+    for (const Vector2d& b : hull) longest = std::max(longest, (a - b).norm());
+  return longest > 0 ? area(hull) / longest : 0;
+}
+
 Polygon common_part(const Polygon& a, const Polygon& b) {
   Polygon common = a;
   for (std::size_t i = 0; i < b.size(); ++i) {

@@ -15,6 +15,9 @@ Polygon convex_hull(Polygon points);
 
 double area(const Polygon& polygon);
 
+/// The area of the points' convex hull over its length.
+double thickness(const Polygon& points);
+
 /// What two convex polygons, counterclockwise, share; empty where nothing.
 Polygon common_part(const Polygon& a, const Polygon& b);
 

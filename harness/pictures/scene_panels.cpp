@@ -17,13 +17,13 @@ namespace lcp {
 namespace {
 
 constexpr double kDegree = std::numbers::pi / 180;
-constexpr double kElevation = 14 * kDegree;
 constexpr double kShade = 0.66, kLight = 0.4;  // of a face turned away from the light; what it adds
 constexpr unsigned kFloor = 0xf5f5f3, kShadow = 0xdededb, kEdge = 0x4a5058;
 
 // Pixels.
 constexpr double kHead = 26, kLegend = 54, kGap = 12, kLeastWidth = 540;
 constexpr double kEdgeWidth = 0.9, kSeam = 0.4, kArrowHead = 9;
+constexpr double kThin = 0.2;  // of a body's thickness: its edges at most
 
 constexpr double kLongestArrow = 0.45;  // over the height of what the panels show
 constexpr double kNoForce = 1e-6;       // of the largest: below, a contact counts as idle
@@ -60,7 +60,7 @@ ScenePanels::ScenePanels(const NamedScene& scene, std::vector<Snapshot> snapshot
       bodies_(scene_bodies(scene.setup)),
       snapshots_(std::move(snapshots)),
       layout_(layout),
-      camera_(Camera::from(kDegree * layout.azimuth, kElevation)) {
+      camera_(Camera::from(kDegree * layout.azimuth, layout.elevation * kDegree)) {
   if (snapshots_.empty()) throw std::invalid_argument("picture: no frame to show");
   find_surfaces();
   find_floor(has_floor(scene.setup));
@@ -199,13 +199,17 @@ unsigned ScenePanels::colour(const Facet& facet) const {
 /// Facets first: of one piece none hides the edges of another.
 void ScenePanels::paint_whole(std::string& data, const Piece& piece) const {
   std::vector<Line> edges;
+  Polygon all;
   for (const Facet& facet : piece) {
     const Polygon polygon = flat(facet);
+    all.insert(all.end(), polygon.begin(), polygon.end());
     paint(data, facet, polygon);
     for (std::size_t k = 0; k < polygon.size(); ++k)
       if (facet.edge[k]) edges.push_back({polygon[k], polygon[(k + 1) % polygon.size()]});
   }
-  for (const Polygon& line : strokes(std::move(edges), kEdgeWidth / pixels_per_metre_))
+  // Thin bodies have thin edges, or nothing else would be seen of them.
+  const double width = std::min(kEdgeWidth / pixels_per_metre_, kThin * thickness(all));
+  for (const Polygon& line : strokes(std::move(edges), width))
     add_polygon(data, line, kEdge, piece.front().body);
 }
 

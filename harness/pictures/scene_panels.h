@@ -27,7 +27,8 @@ class ScenePanels {
     std::string name = {};    ///< Before the times.
     bool letters = false;     ///< (a), (b), ... before the times.
     bool contacts = true;     ///< With contact points, forces and a legend.
-    double azimuth = -52;  ///< Where the viewer stands, degrees: what faces x faces right and us.
+    double azimuth = -52;   ///< Where the viewer stands, degrees: what faces x faces right and us.
+    double elevation = 14;  ///< Of the viewer above the horizon, degrees.
   };
 
   /// Throws std::invalid_argument when there is no snapshot.

@@ -13,6 +13,7 @@ namespace {
 
 // Facets around; more would not show in pictures of that size.
 constexpr std::size_t kAroundSphere = 12, kAroundCapsule = 7, kAroundCylinder = 24, kAroundWire = 6;
+constexpr double kBend = std::numbers::pi / 180 * 15;    // of a wire, less than which is not shown
 constexpr double kLongestMitre = 2;                      // over the wire's radius
 constexpr double kCrease = std::numbers::pi / 180 * 40;  // between triangles: an edge
 
@@ -185,6 +186,22 @@ std::vector<Piece> triangles(const collision::Mesh& mesh) {
   return pieces;
 }
 
+/// A round wire with fewer corners: those at which it has turned by kBend since the one before.
+collision::Ring coarser(const collision::Ring& ring) {
+  const std::size_t count = ring.corners.size();
+  const auto corner = [&](std::size_t i) { return ring.corners[i % count]; };
+  collision::Ring coarse{.corners = {}, .radius = ring.radius};
+  double turned = kBend;
+  for (std::size_t i = 0; i < count; ++i) {
+    const Vector3d before = corner(i) - corner(i + count - 1), after = corner(i + 1) - corner(i);
+    turned += std::atan2(before.cross(after).norm(), before.dot(after));
+    if (turned < kBend) continue;
+    coarse.corners.push_back(corner(i));
+    turned = 0;
+  }
+  return coarse.corners.size() < 3 ? ring : coarse;
+}
+
 struct PiecesOf {
   std::vector<Piece> operator()(const collision::HalfSpace&) const { return {}; }
   std::vector<Piece> operator()(const collision::Sphere& sphere) const {
@@ -193,7 +210,10 @@ struct PiecesOf {
   std::vector<Piece> operator()(const collision::Capsule& it) const {
     return {capsule(it.radius, it.length, kAroundCapsule, 2)};
   }
-  std::vector<Piece> operator()(const collision::Ring& ring) const { return Wire(ring).pieces(); }
+  std::vector<Piece> operator()(const collision::Ring& ring) const {
+    const collision::Ring shown = coarser(ring);
+    return Wire(shown).pieces();
+  }
   std::vector<Piece> operator()(const collision::Box& it) const { return {box(it.edges)}; }
   std::vector<Piece> operator()(const collision::Cylinder& it) const {
     return {cylinder(it.radius, it.length)};

@@ -11,8 +11,8 @@ namespace lcp {
 using Piece = std::vector<Facet>;
 
 /// The surface of a shape in its own frame, as convex pieces: a ring in its segments, a mesh in its
-/// triangles, others in one. Corners of what stands for a round surface lie on it, where wires are
-/// mitred. None for a half-space.
+/// triangles, others in one. Corners of what stands for a round surface lie on it; wires are mitred,
+/// and leave out corners at which they hardly bend. None for a half-space.
 std::vector<Piece> pieces_of(const collision::Geometry& geometry);
 
 /// The facets of one body, in the frame `pose`, whose fronts a viewer in the direction

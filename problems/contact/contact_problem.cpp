@@ -61,7 +61,7 @@ MatrixXd contact_axes(const std::vector<Contact>& contacts) {
 
 MatrixXd delassus_matrix(const MatrixXd& A, double dt) {
   MatrixXd W = MatrixXd::Zero(A.cols(), A.cols());
-  if (W.size() == 0) return W;  // rankUpdate reads the first entry
+  if (A.size() == 0) return W;  // rankUpdate reads the first entry
   W.selfadjointView<Eigen::Lower>().rankUpdate(A.transpose(), dt);
   W.triangularView<Eigen::StrictlyUpper>() = W.transpose();
   return W;

@@ -14,21 +14,31 @@ Matrix6d composite_inertia(const Model& model, const Kinematics& k) {
   return M;
 }
 
-}  // namespace
-
-CompositeBody::CompositeBody(const Model& model, std::vector<Index> handles)
-    : model_(&model), handles_(std::move(handles)) {
-  if (model.size() == 0) throw std::invalid_argument("composite body: the model has no links");
-  check_handles(model, handles_, "composite body");
+/// Why the system does not move as one body; empty where it does.
+std::string what_moves_apart(const Model& model) {
+  if (model.size() == 0) return "the model has no links";
+  if (!model.loops().empty()) return "the model has loops";
   for (Index i = 0; i < model.size(); ++i) {
     const Link& link = model.link(i);
     const bool rigid = link.joint == JointKind::prescribed || link.joint == JointKind::fixed;
     if (i == 0 ? link.joint != JointKind::free : !rigid || link.parent == Link::world)
-      throw std::invalid_argument(
-          fmt::format("composite body: link {} '{}' does not move with the first, expected a free "
-                      "link that carries prescribed and fixed joints",
-                      i, link.name));
+      return fmt::format(
+          "link {} '{}' does not move with the first, expected a free link that carries prescribed "
+          "and fixed joints",
+          i, link.name);
   }
+  return "";
+}
+
+}  // namespace
+
+bool moves_as_one_body(const Model& model) { return what_moves_apart(model).empty(); }
+
+CompositeBody::CompositeBody(const Model& model, std::vector<Index> handles)
+    : model_(&model), handles_(std::move(handles)) {
+  check_handles(model, handles_, "composite body");
+  if (const std::string obstacle = what_moves_apart(model); !obstacle.empty())
+    throw std::invalid_argument("composite body: " + obstacle);
 }
 
 HandleDynamics CompositeBody::handle_dynamics(const Kinematics& k, const Vector3d& gravity) const {
@@ -55,8 +65,11 @@ HandleDynamics CompositeBody::handle_dynamics(const Kinematics& k, const Vector3
   return dynamics;
 }
 
-Matrix6d CompositeBody::inertia_factor(const Kinematics& k) const {
-  return composite_inertia(*model_, k).llt().matrixL();
+MatrixXd CompositeBody::contact_factor(const Kinematics& k, const MatrixXd& J) const {
+  MatrixXd all = MatrixXd::Zero(J.rows(), 6);  // J acts on the sum of its blocks
+  for (Index h = 0; h < J.cols() / 6; ++h) all += J.middleCols<6>(6 * h);
+  const Matrix6d L = composite_inertia(*model_, k).llt().matrixL();
+  return L.triangularView<Eigen::Lower>().solve(MatrixXd(all.transpose()));
 }
 
 }  // namespace lcp

@@ -93,14 +93,9 @@ ContactProblem contact_problem(const LinkContacts& contacts, const HandleDynamic
 }
 
 ContactProblem contact_problem(const LinkContacts& contacts, const HandleDynamics& dynamics,
-                               const Matrix6d& inertia_factor, double dt,
-                               const PositionCorrection& correction) {
+                               const MatrixXd& A, double dt, const PositionCorrection& correction) {
   ContactProblem problem =
       without_matrix(contacts, from_points(contacts.J, dynamics.points), dynamics, dt, correction);
-  // All handles move as one: J acts on the sum of their columns.
-  MatrixXd J = MatrixXd::Zero(contacts.J.rows(), 6);
-  for (Index h = 0; h < contacts.J.cols() / 6; ++h) J += contacts.J.middleCols<6>(6 * h);
-  const MatrixXd A = inertia_factor.triangularView<Eigen::Lower>().solve(MatrixXd(J.transpose()));
   problem.W = delassus_matrix(A, dt);
   return problem;
 }

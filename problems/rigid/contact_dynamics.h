@@ -36,10 +36,9 @@ LinkContacts link_contacts(const std::vector<ContactPoint>& points, double mu,
 ContactProblem contact_problem(const LinkContacts& contacts, const HandleDynamics& dynamics,
                                double dt, const PositionCorrection& correction);
 
-/// The same for a system that moves as one body, with the inertia's factor L (see CompositeBody):
-/// W = dt A'A, A = L^-1 J', is symmetric and positive semidefinite up to rounding of its entries.
+/// The same from a factor A, J Phi J' = A'A (CompositeBody, JointSpace), instead of Phi: W = dt A'A
+/// is symmetric and positive semidefinite up to rounding of its entries.
 ContactProblem contact_problem(const LinkContacts& contacts, const HandleDynamics& dynamics,
-                               const Matrix6d& inertia_factor, double dt,
-                               const PositionCorrection& correction);
+                               const MatrixXd& A, double dt, const PositionCorrection& correction);
 
 }  // namespace lcp

@@ -7,54 +7,11 @@
 #include <stdexcept>
 
 #include "problems/rigid/assembly_plan.h"
+#include "problems/rigid/transmission.h"
 
 namespace lcp {
 
 namespace {
-
-/// Two perpendicular unit vectors across `axis`.
-std::pair<Vector3d, Vector3d> across(const Vector3d& axis) {
-  Index least;
-  axis.cwiseAbs().minCoeff(&least);
-  const Vector3d first = axis.cross(Vector3d::Unit(least)).normalized();
-  return {first, axis.cross(first)};
-}
-
-/// What a joint transmits, at the joint: T, and F with S'F = 1.
-struct Transmission {
-  Space T, F;
-};
-
-/// Of a joint whose frame is turned by R.
-Transmission transmission(JointKind kind, const Vector3d& axis_in_frame, const Matrix3d& R) {
-  Transmission joint;
-  switch (kind) {
-    case JointKind::fixed:
-    case JointKind::prescribed:
-      joint.T = Space::Identity(6, 6);
-      joint.F.resize(6, 0);
-      break;
-    case JointKind::revolute: {
-      const Vector3d axis = R * axis_in_frame;
-      const auto [first, second] = across(axis);
-      joint.T = Space::Zero(6, 5);
-      joint.T.col(0).head<3>() = first;
-      joint.T.col(1).head<3>() = second;
-      joint.T.bottomRightCorner<3, 3>().setIdentity();
-      joint.F = stack(axis, Vector3d::Zero());
-      break;
-    }
-    case JointKind::ball:
-      joint.T = Space::Zero(6, 3);
-      joint.T.bottomRows<3>().setIdentity();
-      joint.F = Space::Zero(6, 3);
-      joint.F.topRows<3>() = R;
-      break;
-    case JointKind::free:
-      break;
-  }
-  return joint;
-}
 
 /// A part of the plan with its numbers.
 struct Part : AssemblyPart {
@@ -195,15 +152,6 @@ class ForwardDynamics::Impl {
     return is_world(body) ? Vector3d::Zero().eval() : Vector3d(joint - point(body));
   }
 
-  /// Inverse inertia of a body by itself.
-  Matrix6d mobility(Index body) const {
-    if (is_world(body)) return Matrix6d::Zero();
-    const Link& link = model_.link(body);
-    const Matrix3d& R = kinematics_.pose[body].R;
-    return inverse_spatial_inertia(link.mass, R * link.centre,
-                                   R * model_.inverse_inertia(body) * R.transpose());
-  }
-
   void set_body(Part& part, const Vector3d& gravity, const std::vector<Vector6d>& forces) {
     const Index i = part.open.front();
     if (is_world(i)) {
@@ -215,7 +163,7 @@ class ForwardDynamics::Impl {
     const Matrix3d& R = kinematics_.pose[i].R;
     const Vector3d c = R * link.centre;
     const Vector6d v = motion_moved(kinematics_.velocity[i], point(i));
-    part.Phi = mobility(i);
+    part.Phi = link_mobility(model_, kinematics_, i);
     const Vector6d h = spatial_inertia(link.mass, c, R * link.inertia * R.transpose()) * v;
     Vector6d force = force_at(c, link.mass * gravity) - cross_force(v, h);
     if (!forces.empty()) force += force_moved(forces[i], point(i));
@@ -281,16 +229,8 @@ class ForwardDynamics::Impl {
   bool is_loop(Index joint) const { return joint >= model_.size(); }
 
   Transmission transmission_of(Index joint) const {
-    if (is_loop(joint)) {
-      const Loop& loop = model_.loops()[joint - model_.size()];
-      const Pose& pose = kinematics_.loops[joint - model_.size()].pose;
-      Transmission found = transmission(loop.joint, loop.axis, pose.R);
-      found.F.resize(6, 0);  // no torque acts in it
-      return found;
-    }
-    const Link& link = model_.link(joint);
-    const Pose& pose = kinematics_.pose[joint];
-    return transmission(link.joint, link.axis, pose.R);
+    return is_loop(joint) ? loop_transmission(model_, kinematics_, joint - model_.size())
+                          : link_transmission(model_, kinematics_, joint);
   }
 
   Vector3d joint_point(Index joint) const {
@@ -308,9 +248,12 @@ class ForwardDynamics::Impl {
     const Small gamma = T.transpose() * Q * T;
     Small weighted;
     if (part.redundant) {
-      const Matrix6d to_child = moved_by(part.child_arm), to_parent = moved_by(part.parent_arm);
-      const Matrix6d free = to_child * mobility(part.merged[part.child]) * to_child.transpose() +
-                            to_parent * mobility(part.merged[part.parent]) * to_parent.transpose();
+      const auto at_joint = [&](Index place, const Vector3d& arm_of_joint) -> Matrix6d {
+        const Matrix6d X = moved_by(arm_of_joint);
+        return X * link_mobility(model_, kinematics_, part.merged[place]) * X.transpose();
+      };
+      const Matrix6d free =
+          at_joint(part.child, part.child_arm) + at_joint(part.parent, part.parent_arm);
       weighted = inverse_on_range(0.5 * (gamma + gamma.transpose()), T.transpose() * free * T,
                                   options_.redundancy) *
                  T.transpose();

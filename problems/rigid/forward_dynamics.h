@@ -89,16 +89,21 @@ class ForwardDynamics {
   std::unique_ptr<Impl> impl_;
 };
 
-/// The same for a system that moves as one body, a free link that carries prescribed and fixed joints
-/// only, from the inertia of the composite body: Phi_ij = M^-1 for all i, j, exactly of rank 6.
+/// Whether all links move as one body: a free link that carries prescribed and fixed joints only,
+/// without loops.
+bool moves_as_one_body(const Model& model);
+
+/// The same for a system that moves as one body, from the inertia M of the composite body: Phi_ij =
+/// M^-1 for all i, j, exactly of rank 6. JointSpace gives the same matrices for other systems too;
+/// here phi as well is free of the ADA's noise, and one and the same for all points of a link.
 /// Throws std::invalid_argument for another system, and on handles as ForwardDynamics does.
 class CompositeBody {
  public:
   CompositeBody(const Model& model, std::vector<Index> handles);
 
   HandleDynamics handle_dynamics(const Kinematics& kinematics, const Vector3d& gravity) const;
-  /// Lower triangular L, L L' = M: with A = L^-1 J', J Phi J' = A'A.
-  Matrix6d inertia_factor(const Kinematics& kinematics) const;
+  /// A = L^-1 (sum of J's 6-column blocks)', M = L L': J Phi J' = A'A, A is 6 x rows of J.
+  MatrixXd contact_factor(const Kinematics& kinematics, const MatrixXd& J) const;
 
  private:
   const Model* model_;

@@ -151,6 +151,14 @@ Matrix6d link_inertia(const Model& model, const Kinematics& k, Index i) {
                          R * link.inertia * R.transpose());
 }
 
+Matrix6d link_mobility(const Model& model, const Kinematics& k, Index i) {
+  if (i < 0) return Matrix6d::Zero();
+  const Link& link = model.link(i);
+  const Matrix3d& R = k.pose[i].R;
+  return inverse_spatial_inertia(link.mass, R * link.centre,
+                                 R * model.inverse_inertia(i) * R.transpose());
+}
+
 Vector6d momentum(const Model& model, const Kinematics& k) {
   Vector6d sum = Vector6d::Zero();
   for (Index i = 0; i < model.size(); ++i) sum += link_inertia(model, k, i) * k.velocity[i];

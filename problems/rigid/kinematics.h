@@ -54,4 +54,8 @@ double largest_gap(const Kinematics& kinematics);
 /// Inertia of link i at O.
 Matrix6d link_inertia(const Model& model, const Kinematics& kinematics, Index i);
 
+/// Its inverse, but at the origin of the link's frame: how the link by itself answers to forces
+/// there. 0 for i < 0, the world.
+Matrix6d link_mobility(const Model& model, const Kinematics& kinematics, Index i);
+
 }  // namespace lcp

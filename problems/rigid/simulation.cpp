@@ -18,7 +18,8 @@ Simulation::Simulation(System system, Stepping stepping)
       stepping_(std::move(stepping)),
       state_(system_->start),
       dynamics_(system_->model, system_->handles),
-      later_stages_(system_->model, {}) {
+      later_stages_(system_->model, {}),
+      joint_space_(system_->model, system_->handles) {
   const Model& model = system_->model;
   if (!(stepping_.dt > 0) || !std::isfinite(stepping_.dt))
     throw std::invalid_argument(
@@ -32,8 +33,8 @@ Simulation::Simulation(System system, Stepping stepping)
     throw std::invalid_argument("simulation: the start is not finite");
   if (!model.prescribed().empty() && !system_->reference)
     throw std::invalid_argument("simulation: prescribed joints without a reference motion");
-  if (stepping_.composite && system_->pull)
-    throw std::invalid_argument("simulation: the composite body does not know what pulls at it");
+  if (moves_as_one_body(model) && !system_->pull)
+    composite_.emplace(model, system_->handles);  // which does not know what pulls at it
   follow_reference(state_);
 }
 
@@ -76,10 +77,15 @@ void Simulation::step(const ContactSolver& solver, const std::function<void(cons
   ++number_;
 }
 
-ContactProblem Simulation::composite_contacts(const Frame& frame) const {
-  const CompositeBody body(system_->model, system_->handles);
-  return contact_problem(frame.links, body.handle_dynamics(frame.kinematics, system_->gravity),
-                         body.inertia_factor(frame.kinematics), stepping_.dt, stepping_.correction);
+ContactProblem Simulation::clean_contacts(const Frame& frame) const {
+  const Kinematics& k = frame.kinematics;
+  const auto problem = [&](const HandleDynamics& dynamics, const MatrixXd& A) {
+    return contact_problem(frame.links, dynamics, A, stepping_.dt, stepping_.correction);
+  };
+  if (composite_)
+    return problem(composite_->handle_dynamics(k, system_->gravity),
+                   composite_->contact_factor(k, frame.links.J));
+  return problem(dynamics_.handle_dynamics(), joint_space_.contact_factor(k, frame.links.J));
 }
 
 JointMotion Simulation::reference(double time) const {
@@ -121,9 +127,10 @@ void Simulation::pose_contacts(Frame& frame) const {
     frame.points = std::move(kept);
   }
   frame.links = link_contacts(frame.points, system_->mu, frame.kinematics, system_->handles);
-  frame.contacts = stepping_.composite ? composite_contacts(frame)
-                                       : contact_problem(frame.links, dynamics_.handle_dynamics(),
-                                                         stepping_.dt, stepping_.correction);
+  frame.contacts = stepping_.matrix == Stepping::Matrix::clean
+                       ? clean_contacts(frame)
+                       : contact_problem(frame.links, dynamics_.handle_dynamics(), stepping_.dt,
+                                         stepping_.correction);
 }
 
 void Simulation::solve(Frame& frame, const ContactSolver& solver) const {

@@ -2,10 +2,12 @@
 
 #include <functional>
 #include <memory>
+#include <optional>
 #include <stdexcept>
 
 #include "problems/contact/contact_solution.h"
 #include "problems/rigid/contact_dynamics.h"
+#include "problems/rigid/joint_space.h"
 
 namespace lcp {
 
@@ -44,9 +46,12 @@ struct Stepping {
   ContactModel contact = {};
   ReductionOptions reduction = {.method = ReductionOptions::Method::none};
   PositionCorrection correction = {};
-  /// Contact matrices from the inertia of the composite body instead of the ADA (see
-  /// CompositeBody): for systems that move as one body.
-  bool composite = false;
+  enum class Matrix {
+    ada,    ///< By assembly and disassembly, with the noise of its differences.
+    clean,  ///< As a product (see Simulation::clean_contacts).
+  };
+
+  Matrix matrix = Matrix::ada;  ///< Where contact matrices come from.
 };
 
 /// One step, as it is before it moves the bodies. References hold while the caller looks at it.
@@ -75,8 +80,7 @@ struct SimulationBroke : std::runtime_error {
 class Simulation {
  public:
   /// Throws std::invalid_argument on a system that its parts refuse, without links, or whose start
-  /// has another shape or is not finite; prescribed joints without a reference; dt not positive;
-  /// the composite body's matrices where something pulls.
+  /// has another shape or is not finite; prescribed joints without a reference; dt not positive.
   Simulation(System system, Stepping stepping);
 
   const System& system() const { return *system_; }
@@ -89,9 +93,13 @@ class Simulation {
   /// problem does not consist of finite numbers.
   void step(const ContactSolver& solver, const std::function<void(const Frame&)>& look = {});
 
-  /// The contact problem of a frame from the composite body's inertia. Throws std::invalid_argument
-  /// where the system does not move as one body.
-  ContactProblem composite_contacts(const Frame& frame) const;
+  /// The contact problem of a frame with a matrix that is symmetric and positive semidefinite up to
+  /// rounding of its entries: from the composite body's inertia where the system moves as one body
+  /// at which nothing pulls, else from its joint space, with vbar of the ADA. To be asked for while
+  /// looking at the frame.
+  ContactProblem clean_contacts(const Frame& frame) const;
+  /// Whether it is from the composite body.
+  bool is_composite_body() const { return composite_.has_value(); }
 
  private:
   JointMotion reference(double time) const;
@@ -114,6 +122,8 @@ class Simulation {
   Index number_ = 0;
   ForwardDynamics dynamics_;
   ForwardDynamics later_stages_;  ///< Without handles: contact forces are known by then.
+  std::optional<CompositeBody> composite_;
+  JointSpace joint_space_;
 };
 
 }  // namespace lcp

@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <filesystem>
-#include <stdexcept>
 
 #include "problems/io/errors.h"
 #include "problems/io/hdf5/corpus.h"
@@ -13,15 +12,6 @@ namespace lcp {
 namespace {
 
 constexpr Index kFramesPerShard = 100;
-
-bool moves_as_one(const System& system) {
-  try {
-    CompositeBody(system.model, system.handles);
-    return true;
-  } catch (const std::invalid_argument&) {
-    return false;
-  }
-}
 
 }  // namespace
 
@@ -40,20 +30,22 @@ CorpusDump::CorpusDump(std::string directory, std::string scene, std::string dri
 
 void CorpusDump::add(const Simulation& simulation, const Frame& frame) {
   if (frame.contacts.size() == 0) return;
-  if (!moves_as_one_) moves_as_one_ = moves_as_one(simulation.system());
   const FrictionModel& model = simulation.stepping().contact.friction;
-  add_pair(frame.contacts, frame, model, scene_,
-           simulation.stepping().composite ? "composite body" : "assembly and disassembly");
-  if (*moves_as_one_ && !simulation.stepping().composite)
-    add_pair(simulation.composite_contacts(frame), frame, model, scene_ + "+composite",
-             "composite body");
+  const std::string clean = simulation.is_composite_body() ? "composite body" : "joint space";
+  if (simulation.stepping().matrix == Stepping::Matrix::clean) {
+    add_pair(frame.contacts, frame, model, scene_, clean);
+  } else {
+    add_pair(frame.contacts, frame, model, scene_, "assembly and disassembly");
+    add_pair(simulation.clean_contacts(frame), frame, model,
+             scene_ + (simulation.is_composite_body() ? "+composite" : "+joint-space"), clean);
+  }
   predecessor_ = fmt::format("{:05}", frame.number);
   if (++frames_in_shard_ == kFramesPerShard) write_shard();
 }
 
 void CorpusDump::add_pair(const ContactProblem& contacts, const Frame& frame,
                           const FrictionModel& model, const std::string& corpus,
-                          const char* matrix) {
+                          const std::string& matrix) {
   std::map<std::string, std::string> provenance = {
       {"scene", scene_},
       {"time", fmt::format("{}", frame.state.time)},

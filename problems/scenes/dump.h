@@ -1,6 +1,5 @@
 #pragma once
 
-#include <optional>
 #include <string>
 #include <vector>
 
@@ -14,12 +13,15 @@ namespace lcp {
 /// the program, what stands there is readable.
 ///
 /// A frame with contact gives the frictional and the frictionless LCP, each with the contact matrix
-/// of the ADA and, where the system moves as one body, with that of the composite body:
+/// of the ADA and with its clean twin (Simulation::clean_contacts), unless the scene is simulated
+/// with that one: of the composite body where the system moves as one body, else of the joint
+/// space.
 ///
-///     SCENE/00042   SCENE+frictionless/00042   SCENE+composite/00042
-///     SCENE+composite+frictionless/00042
+///     SCENE/00042                SCENE+composite/00042                or SCENE+joint-space/00042
+///     SCENE+frictionless/00042   SCENE+composite+frictionless/00042      ...
 ///
-/// Provenance: scene, time, driver, predecessor, applied, contact_ids, W.
+/// Provenance: scene, time, driver, predecessor, applied, contact_ids, W ("assembly and
+/// disassembly", "composite body" or "joint space").
 class CorpusDump {
  public:
   /// `scene` and `driver` in full spelling. Throws UnwritableOutput when `directory` exists and is
@@ -34,7 +36,7 @@ class CorpusDump {
 
  private:
   void add_pair(const ContactProblem& contacts, const Frame& frame, const FrictionModel& model,
-                const std::string& corpus, const char* matrix);
+                const std::string& corpus, const std::string& matrix);
   void write_shard();
 
   std::string directory_, scene_, driver_;
@@ -42,7 +44,6 @@ class CorpusDump {
   Index frames_in_shard_ = 0, shards_ = 0;
   std::size_t written_ = 0;
   std::string predecessor_ = "none";
-  std::optional<bool> moves_as_one_;
 };
 
 }  // namespace lcp

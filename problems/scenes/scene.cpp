@@ -50,7 +50,7 @@ Stepping SteppingKnobs::stepping() const {
                       .active_only = active_only};
   stepping.reduction.method = reduction;
   stepping.correction.gain = correction;
-  stepping.composite = composite;
+  stepping.matrix = matrix;
   return stepping;
 }
 
@@ -71,8 +71,10 @@ OptionTable with_stepping_knobs(OptionTable table, SteppingKnobs& knobs) {
                          "which contact points are dropped as superfluous"));
   table.push_back(
       real("correction", knobs.correction, 0, 1, "share of an overlap that one step takes back"));
-  table.push_back(flag("composite", knobs.composite,
-                       "contact matrices from the composite body, free of the noise of the ADA"));
+  table.push_back(
+      choice("matrix", knobs.matrix, {"ada", "clean"},
+             "contact matrices by assembly and disassembly, or as a product without its "
+             "noise: from the composite body, or the joint space where joints move"));
   table.push_back(choice("scheme", knobs.scheme, {"paper", "semi-implicit"},
                          "RK4 with the contact forces of its first stage, or Euler in velocities"));
   table.push_back(real("dt", knobs.dt, 1e-6, 1, "time step, s"));

@@ -65,7 +65,7 @@ struct SteppingKnobs {
   bool active_only = false;
   ReductionOptions::Method reduction = ReductionOptions::Method::none;
   double correction = 0.005;
-  bool composite = false;
+  Stepping::Matrix matrix = Stepping::Matrix::ada;
   Stepping::Scheme scheme = Stepping::Scheme::paper;
   double dt = 1e-3;
 

@@ -19,6 +19,10 @@
 // Order     Where many contacts hold few freedoms most candidates cost nothing. Among them larger
 //           pivots come first (Harris' idea for the ratio test): a pivot of 1e-9 among fourteen tied
 //           ones leads into a subtree without a way out, which is then searched to its end.
+// Patience  Where all candidates are noise of about 1e-10, a fine cost grid sends the search from one
+//           branch to the next and never down; a coarse one takes every bad pivot for a good one and
+//           is lost elsewhere. No grid suits all frames, and most that a grid suits need few nodes:
+//           so an attempt that takes long is given up for one on a coarser grid.
 // Differs   from lexicographic.cpp: a bad choice among tied rows can be taken back. The cost as
 //           printed, sum of exp(-q_min), is about 1 per pivot where problems are degenerate and
 //           makes the search breadth-first; `best-first-uniform` keeps it for the record, the other
@@ -57,6 +61,7 @@ struct BestFirstOptions {
   double cost_grid = 1e-11;
   Order order = Order::pivot;
   double delta = 1e-9;
+  Index patience = 1000;
   Index max_nodes = 20000;
   bool polish = true;
   PivotingOptions pivoting = {.pivot = 1e-12, .scale = true, .refactor_every = 8};
@@ -84,6 +89,9 @@ OptionTable option_table(BestFirstOptions& options, OptionTable pivoting) {
           "siblings of equal cost: larger pivots first; by row; or the lexicographic rule's choice "
           "first, and then pivots with q_min above -cost_grid/2 cost 0"),
       real("delta", options.delta, 0, 1, "tie threshold of order=lexicographic; scale worked in"),
+      count("patience", options.patience, 0, 100'000'000,
+            "nodes after which the search begins again with a cost grid 100 times as coarse, as "
+            "far as epsilon, then for good with the first; 0: never"),
       count("max_nodes", options.max_nodes, 1, 100'000'000, "nodes opened before `limit`"),
       flag("polish", options.polish,
            "solve once more on the final basis, refine, and set negative z to 0"),
@@ -103,6 +111,10 @@ OptionTable factorised_options(BestFirstOptions& options) {
 }
 
 constexpr Index no_node = -1;
+
+/// By how much each attempt's cost grid is coarser than the one before, and how far it may be above
+/// epsilon: there every candidate costs nothing, and the deepest comes first.
+constexpr double kWiden = 100, kWidest = 100;
 
 struct Node {
   Index parent;
@@ -355,9 +367,35 @@ class Search {
   Work work_;
 };
 
+/// Work of attempts one after the other.
+Work together(const Work& before, const Work& last) {
+  Work work = before;
+  work += last;
+  work.path = last.path;
+  return work;
+}
+
 template <class Dictionary>
 Result solve(const Problem& problem, const BestFirstOptions& options, const Call& call) {
-  return Search<Dictionary>(problem, options, call).run();
+  Work before;
+  BestFirstOptions attempt = options;
+  attempt.max_nodes = options.patience;
+  while (options.patience > 0 && before.nodes + options.patience < options.max_nodes &&
+         attempt.cost_grid < kWidest * options.epsilon) {
+    Result result = Search<Dictionary>(problem, attempt, call).run();
+    result.work = together(before, result.work);
+    if (result.claim != Claim::limit) return result;
+    before = result.work;
+    ++before.restarts;
+    attempt.cost_grid *= kWiden;
+  }
+  attempt = options;
+  attempt.max_nodes = options.max_nodes - before.nodes;
+  Result result = Search<Dictionary>(problem, attempt, call).run();
+  result.work = together(before, result.work);
+  if (result.claim == Claim::limit)
+    result.message = fmt::format("max_nodes={} reached", options.max_nodes);
+  return result;
 }
 
 const Registration best_first{
@@ -384,6 +422,7 @@ const Registration best_first_tableau{
     BestFirstOptions{.epsilon = 1e-3,
                      .e_max = 1e-3,
                      .order = Order::row,
+                     .patience = 0,
                      .polish = false,
                      .pivoting = {.pivot = 0, .scale = false}},
     tableau_options,
@@ -392,7 +431,7 @@ const Registration best_first_tableau{
 const Registration best_first_uniform{
     {"best-first-uniform", "best-first with the cost exactly as printed (no depth term)",
      "Yamane and Nakamura 2008, Algorithm 2, line 7"},
-    BestFirstOptions{.cost = Cost::printed, .order = Order::row},
+    BestFirstOptions{.cost = Cost::printed, .order = Order::row, .patience = 0},
     factorised_options,
     solve<Basis>};
 

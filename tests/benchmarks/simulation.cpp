@@ -1,5 +1,7 @@
 // Micro-benchmarks of what a step of `squat` is made of: 21 links, 2 handles, 16 contacts, n = 160.
 // A step under RK4 assembles and disassembles four times and poses one LCP.
+// Of a chain of 26 links on balls, all of which may touch, with 34 contacts: its assembly and
+// disassembly, and its contact matrix from the assembly and as a product in joint space.
 // And of collision: pairs of shapes that touch, and a chain of capsules over a rod.
 
 #include <benchmark/benchmark.h>
@@ -88,6 +90,90 @@ void whole_step(benchmark::State& state) {
   for (auto _ : state) simulation.step(moment().solver);
 }
 
+/// 26 links of 3 cm on balls, the first of them in the world, bent a little; 34 contacts with the
+/// world.
+struct BallChain {
+  static constexpr Index links = 26, points = 34;
+  Model model = chain();
+  std::vector<Index> handles;
+  Kinematics here;
+  LinkContacts contacts;
+
+  BallChain() {
+    State state = state_at_zero(model);
+    for (Index i = 0; i < links; ++i) {
+      handles.push_back(i);
+      state.q(model.q_of(i)) = 0.05 * std::sin(static_cast<double>(i));
+    }
+    normalise(model, state.q);
+    here = kinematics(model, state);
+    std::vector<ContactPoint> touching(points);
+    for (Index i = 0; i < points; ++i)
+      touching[i] = {.position = here.pose[i % links] * Vector3d(0, 0.005, -0.015),
+                     .normal = Vector3d::UnitY(),
+                     .id = {body_of(i % links), 0, i}};
+    contacts = link_contacts(touching, 0.5, here, handles);
+  }
+
+  static Model chain() {
+    std::vector<Link> all(links);
+    for (Index i = 0; i < links; ++i) {
+      all[i].parent = i - 1;
+      all[i].joint = JointKind::ball;
+      all[i].in_parent.p = {0, 0, i > 0 ? -0.03 : 0};
+      all[i].mass = 0.02;
+      all[i].centre = {0, 0, -0.015};
+      all[i].inertia = Vector3d(1.6e-6, 1.6e-6, 2.5e-7).asDiagonal();
+    }
+    return Model(std::move(all));
+  }
+
+  ForwardDynamics assembled() const {
+    ForwardDynamics dynamics(model, handles);
+    dynamics.assemble(here, VectorXd::Zero(model.velocities()), {0, 0, -9.80665});
+    return dynamics;
+  }
+};
+
+void chain_assembling(benchmark::State& state) {
+  const BallChain chain;
+  ForwardDynamics dynamics(chain.model, chain.handles);
+  const VectorXd torques = VectorXd::Zero(chain.model.velocities());
+  for (auto _ : state) dynamics.assemble(chain.here, torques, {0, 0, -9.80665});
+}
+
+void chain_disassembling(benchmark::State& state) {
+  const BallChain chain;
+  ForwardDynamics dynamics = chain.assembled();
+  const VectorXd forces = VectorXd::Ones(6 * BallChain::links);
+  for (auto _ : state) benchmark::DoNotOptimize(dynamics.disassemble(forces).joints.data());
+}
+
+void chain_contact_matrix(benchmark::State& state) {
+  const BallChain chain;
+  const HandleDynamics handles = chain.assembled().handle_dynamics();
+  for (auto _ : state)
+    benchmark::DoNotOptimize(contact_problem(chain.contacts, handles, 1e-3, {}).W.data());
+}
+
+void chain_joint_space_factor(benchmark::State& state) {
+  const BallChain chain;
+  const JointSpace joints(chain.model, chain.handles);
+  for (auto _ : state)
+    benchmark::DoNotOptimize(joints.contact_factor(chain.here, chain.contacts.J).data());
+}
+
+void chain_joint_space_matrix(benchmark::State& state) {
+  const BallChain chain;
+  const JointSpace joints(chain.model, chain.handles);
+  const HandleDynamics handles = chain.assembled().handle_dynamics();
+  for (auto _ : state)
+    benchmark::DoNotOptimize(contact_problem(chain.contacts, handles,
+                                             joints.contact_factor(chain.here, chain.contacts.J),
+                                             1e-3, {})
+                                 .W.data());
+}
+
 Pose turned(double angle, const Vector3d& axis, const Vector3d& place) {
   return {Eigen::AngleAxisd(angle, axis).toRotationMatrix(), place};
 }
@@ -172,6 +258,11 @@ BENCHMARK(positions_and_velocities)->Unit(benchmark::kMicrosecond);
 BENCHMARK(assembling)->Unit(benchmark::kMicrosecond);
 BENCHMARK(disassembling)->Unit(benchmark::kMicrosecond);
 BENCHMARK(contact_matrix)->Unit(benchmark::kMicrosecond);
+BENCHMARK(chain_assembling)->Unit(benchmark::kMicrosecond);
+BENCHMARK(chain_disassembling)->Unit(benchmark::kMicrosecond);
+BENCHMARK(chain_contact_matrix)->Unit(benchmark::kMicrosecond);
+BENCHMARK(chain_joint_space_factor)->Unit(benchmark::kMicrosecond);
+BENCHMARK(chain_joint_space_matrix)->Unit(benchmark::kMicrosecond);
 BENCHMARK(posing_the_lcp)->Unit(benchmark::kMicrosecond);
 BENCHMARK(whole_step)->Unit(benchmark::kMicrosecond)->Iterations(500);
 

@@ -9,8 +9,9 @@
 
 namespace lcp {
 
-/// What one solver did on one corpus of a scene (SCENE, SCENE+composite), counted by one criterion.
-/// Instances that z = 0 solves are successes here, as they are in the loop.
+/// What one solver did on one corpus of a scene (SCENE, SCENE+composite, SCENE+joint-space),
+/// counted by one criterion. Instances that z = 0 solves are successes here, as they are in the
+/// loop.
 struct CorpusColumn {
   std::string corpus, solver;
   Acceptance acceptance;

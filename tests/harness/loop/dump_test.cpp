@@ -8,6 +8,7 @@
 #include "problems/io/errors.h"
 #include "problems/io/load.h"
 #include "tests/harness/temporary_directory.h"
+#include "tests/problems/rigid/simulation_cases.h"
 
 namespace lcp {
 namespace {
@@ -57,6 +58,62 @@ TEST(CorpusDump, TheMatricesDifferByNoiseAlone) {
   const MatrixXd &W = ada.problem.friction->W, &clean = composite.problem.friction->W;
   EXPECT_LT((W - clean).cwiseAbs().maxCoeff(), 1e-9 * clean.cwiseAbs().maxCoeff());
   EXPECT_NE(W, clean);
+}
+
+/// Takes three steps of a box on the ground with a link on a ball joint, which moves apart from it.
+void dump_box_with_a_tail(const std::string& directory, Stepping::Matrix matrix) {
+  const Vector3d edges(0.4, 0.3, 0.2);
+  System system =
+      cases::one_body(cases::free_box(2, edges),
+                      cases::points_on_plane(cases::lower_corners(edges), Vector3d::UnitZ()), 0.5);
+  cases::Uniform uniform(91);
+  std::vector<Link> links = system.model.links();
+  links.push_back(cases::random_link(0, JointKind::ball, uniform));
+  system.model = Model(links);
+  system.start = state_at_zero(system.model);
+  system.start.q(2) = edges.z() / 2;
+  Simulation simulation(system, {.matrix = matrix});
+  CorpusDump dump(directory, "box", "best-first");
+  for (int i = 0; i < 3; ++i)
+    simulation.step(cases::solver_in_the_loop(),
+                    [&](const Frame& frame) { dump.add(simulation, frame); });
+  dump.close();
+}
+
+TEST(CorpusDump, WritesTheJointSpacesMatricesWhereLinksMoveApart) {
+  TemporaryDirectory directory;
+  dump_box_with_a_tail(directory.file("corpus"), Stepping::Matrix::ada);
+  std::map<std::string, std::string> matrices;
+  for (const Instance& instance : load_instances(directory.file("corpus")))
+    if (instance.name.ends_with("/00002"))
+      matrices[instance.name.substr(0, instance.name.find('/'))] = instance.provenance.at("W");
+  const std::map<std::string, std::string> expected = {
+      {"box", "assembly and disassembly"},
+      {"box+frictionless", "assembly and disassembly"},
+      {"box+joint-space", "joint space"},
+      {"box+joint-space+frictionless", "joint space"}};
+  EXPECT_EQ(matrices, expected);
+
+  const std::string file = directory.file("corpus/0000.hdf5");
+  const Instance ada = load_instances(file + "#box/00002").front();
+  const Instance clean = load_instances(file + "#box+joint-space/00002").front();
+  const MatrixXd &W = ada.problem.friction->W, &twin = clean.problem.friction->W;
+  EXPECT_LT((W - twin).cwiseAbs().maxCoeff(), 1e-9 * twin.cwiseAbs().maxCoeff());
+  EXPECT_NE(W, twin);
+  EXPECT_EQ(twin, MatrixXd(twin.transpose()));
+  EXPECT_EQ(clean.provenance.at("predecessor"), "box+joint-space/00001");
+}
+
+TEST(CorpusDump, OfASceneWithCleanMatricesHoldsNoOthers) {
+  TemporaryDirectory directory;
+  dump_box_with_a_tail(directory.file("corpus"), Stepping::Matrix::clean);
+  for (const Instance& instance : load_instances(directory.file("corpus"))) {
+    EXPECT_EQ(instance.provenance.at("W"), "joint space");
+    EXPECT_EQ(instance.name.find("joint-space"), std::string::npos) << instance.name;
+  }
+  dump_squat(directory.file("squat"), 3, true, "squat:matrix=clean");
+  for (const Instance& instance : load_instances(directory.file("squat")))
+    EXPECT_EQ(instance.provenance.at("W"), "composite body");
 }
 
 TEST(CorpusDump, NamesThePredecessor) {

@@ -79,6 +79,17 @@ TEST(PaperFigures, RefuseASceneWithoutTwoFeetAndAPlaceThatIsNone) {
   }
 }
 
+TEST(PaperFigures, TheFourthShowsThreeMomentsOfHoistRingAndNet) {
+  const std::vector<FilmedScene> filmed = figure_4_scenes();
+  ASSERT_EQ(filmed.size(), 3u);
+  const char* names[] = {"hoist", "ring", "net"};
+  for (std::size_t i = 0; i < 3; ++i) {
+    EXPECT_EQ(filmed[i].scene.spelling, names[i]);
+    EXPECT_EQ(filmed[i].times.size(), 3u);
+    EXPECT_LE(filmed[i].times.back(), filmed[i].scene.setup.duration);
+  }
+}
+
 TEST(PaperFigures, ARowOfMomentsPerScene) {
   const TemporaryDirectory directory;
   const std::atomic<bool> interrupted = false;

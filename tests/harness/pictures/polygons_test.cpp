@@ -14,6 +14,12 @@ TEST(Polygons, TheHullLeavesOutWhatLiesInsideAndOnItsSides) {
   EXPECT_DOUBLE_EQ(area(hull), 1);
 }
 
+TEST(Polygons, HaveAThickness) {
+  EXPECT_NEAR(thickness({{0, 0}, {10, 0}, {10, 0.1}, {0, 0.1}, {5, 0.05}}), 0.1, 1e-4);
+  EXPECT_EQ(thickness({{0, 0}, {1, 1}}), 0);
+  EXPECT_EQ(thickness({{1, 1}}), 0);
+}
+
 TEST(Polygons, ShareWhatLiesInBoth) {
   EXPECT_NEAR(area(common_part(square, {{0.5, -1}, {2, -1}, {2, 0.25}, {0.5, 0.25}})), 0.125,
               1e-12);

@@ -76,6 +76,19 @@ TEST(Surfaces, AWireIsAPrismPerSegmentWhoseCornersLieOnItsTube) {
   }
 }
 
+TEST(Surfaces, AFinelyDividedWireHasFewerPiecesAndKeepsSharpCorners) {
+  const std::size_t pieces = pieces_of(polygon(256, 0.5, 0.02)).size();
+  EXPECT_GT(pieces, 16u);
+  EXPECT_LT(pieces, 30u);
+  Ring square{.corners = {}, .radius = 0.02};
+  const Ring corners = polygon(4, 0.5, 0.02);
+  for (std::size_t i = 0; i < 4; ++i)
+    for (const double share : {0.0, 0.3, 0.9})
+      square.corners.push_back((1 - share) * corners.corners[i] +
+                               share * corners.corners[(i + 1) % 4]);
+  EXPECT_EQ(pieces_of(square).size(), 4u);
+}
+
 TEST(Surfaces, AWireOutOfThePlaneAndOneTooShortForMitresStayFinite) {
   Ring bent = polygon(8, 0.5, 0.02);
   for (std::size_t i = 0; i < 8; ++i) bent.corners[i].z() = 0.1 * std::sin(2.0 * double(i));

@@ -42,9 +42,10 @@ TEST(CompositeBody, AllItsHandlesShareOneInverseInertiaToTheBit) {
   Matrix6d M = Matrix6d::Zero();
   for (Index i = 0; i < s.model.size(); ++i) M += link_inertia(s.model, k, i);
   EXPECT_LE(relative_error(M * first, Matrix6d::Identity()), 1e-12);
-  const Matrix6d L = body.inertia_factor(k);
-  EXPECT_TRUE(L.isLowerTriangular(0));
-  EXPECT_LE(relative_error(L * L.transpose(), M), 1e-14);
+  const MatrixXd A = body.contact_factor(k, MatrixXd::Identity(18, 18));
+  EXPECT_LE(relative_error(M * (A.transpose() * A).topLeftCorner<6, 6>(), Matrix6d::Identity()),
+            1e-12);
+  EXPECT_EQ(A, MatrixXd(A.leftCols<6>().replicate(1, 3)));
 }
 
 TEST(CompositeBody, ItsContactMatrixIsThatOfPhiAndOfRankSix) {
@@ -60,7 +61,7 @@ TEST(CompositeBody, ItsContactMatrixIsThatOfPhiAndOfRankSix) {
   const CompositeBody body(s.model, s.handles);
   const HandleDynamics dynamics = body.handle_dynamics(k, s.gravity);
   const ContactProblem problem =
-      contact_problem(contacts, dynamics, body.inertia_factor(k), 1e-3, {});
+      contact_problem(contacts, dynamics, body.contact_factor(k, contacts.J), 1e-3, {});
   EXPECT_EQ(problem.W, MatrixXd(problem.W.transpose()));
   EXPECT_LE(relative_error(problem.W, contact_problem(contacts, dynamics, 1e-3, {}).W), 1e-12);
   const VectorXd values = singular_values(problem.W);
@@ -84,6 +85,9 @@ TEST(CompositeBody, RefusesSystemsThatDoNotMoveAsOneBody) {
                           cases::random_link(Link::world, fixed, uniform)};
   EXPECT_THROW(CompositeBody(Model(links), {1}), std::invalid_argument) << "held by the world";
   EXPECT_THROW(CompositeBody(Model({}), {}), std::invalid_argument) << "no link at all";
+  links = {cases::random_link(Link::world, free, uniform)};
+  EXPECT_NO_THROW(CompositeBody(Model(links), {0}));
+  EXPECT_THROW(CompositeBody(Model(links, {Loop{}}), {0}), std::invalid_argument) << "tied";
 }
 
 TEST(CompositeBody, RefusesHandlesThatDoNotExistOrAreNotAscending) {

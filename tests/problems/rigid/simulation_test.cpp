@@ -87,17 +87,6 @@ TEST(Simulation, RefusesContactsOfLinksThatAreNoHandles) {
   EXPECT_THROW(simulation.step(solver_in_the_loop()), std::invalid_argument);
 }
 
-TEST(Simulation, RefusesTheCompositeBodyWhereJointsMove) {
-  System system = standing_box();
-  cases::Uniform uniform(72);
-  std::vector<Link> links = system.model.links();
-  links.push_back(cases::random_link(0, JointKind::revolute, uniform));
-  system.model = Model(links);
-  system.start = state_at_zero(system.model);
-  Simulation simulation(system, {.composite = true});
-  EXPECT_THROW(simulation.step(solver_in_the_loop()), std::invalid_argument);
-}
-
 TEST(Simulation, SaysWhenBodiesNoLongerMoveAtFiniteSpeed) {
   System system = standing_box();
   system.start.u.head<3>() = Vector3d(1e200, 2e200, 3e200);
@@ -232,16 +221,45 @@ TEST(Simulation, MayBeMovedToAnotherPlace) {
   EXPECT_EQ(after_a_while(moved_away).q, after_a_while(stays).q);
 }
 
-TEST(Simulation, MovesAlikeOnTheCompositeBodysMatrices) {
-  System system = sliding_box();
-  cases::Uniform uniform(73);
-  std::vector<Link> links = system.model.links();
-  links.push_back(cases::random_link(0, JointKind::fixed, uniform));
-  system.model = Model(links);
-  Simulation assembled(system, {}), composite(system, {.composite = true});
-  const State a = after_a_while(assembled), b = after_a_while(composite);
-  EXPECT_LE((a.q - b.q).norm(), 1e-9);
-  EXPECT_LE((a.u - b.u).norm(), 1e-9);
+TEST(Simulation, MovesAlikeOnCleanMatrices) {
+  for (const JointKind joint : {JointKind::fixed, JointKind::ball}) {
+    System system = sliding_box();
+    cases::Uniform uniform(73);
+    std::vector<Link> links = system.model.links();
+    links.push_back(cases::random_link(0, joint, uniform));
+    system.model = Model(links);
+    system.start = state_at_zero(system.model);
+    system.start.q.head<7>() = sliding_box().start.q;
+    system.start.u.head<6>() = sliding_box().start.u;
+    Simulation assembled(system, {}), clean(system, {.matrix = Stepping::Matrix::clean});
+    EXPECT_EQ(clean.is_composite_body(), joint == JointKind::fixed);
+    clean.step(solver_in_the_loop(), [&](const Frame& frame) {
+      EXPECT_EQ(frame.contacts.W, clean.clean_contacts(frame).W);
+    });
+    assembled.step(solver_in_the_loop(), [&](const Frame& frame) {
+      const ContactProblem twin = assembled.clean_contacts(frame);
+      EXPECT_NE(frame.contacts.W, twin.W) << "is there nothing to compare?";
+      EXPECT_LE(cases::relative_error(frame.contacts.W, twin.W), 1e-9);
+      EXPECT_LE(cases::relative_error(frame.contacts.vbar, twin.vbar), 1e-9);
+    });
+    const State a = after_a_while(assembled), b = after_a_while(clean);
+    EXPECT_LE((a.q - b.q).norm(), 1e-9);
+    EXPECT_LE((a.u - b.u).norm(), 1e-9);
+  }
+}
+
+TEST(Simulation, CleanMatricesComeWithWhatPullsAtTheBody) {
+  System system = standing_box();
+  system.pull = [](double, const Kinematics& k) {
+    return std::vector<PointForce>{{0, k.pose[0].p, {0, 0, 30}}};
+  };
+  Simulation simulation(system, {.matrix = Stepping::Matrix::clean});
+  EXPECT_FALSE(simulation.is_composite_body()) << "it does not know of pulls";
+  Simulation assembled(system, {});
+  VectorXd vbar;
+  simulation.step(solver_in_the_loop(), [&](const Frame& frame) { vbar = frame.contacts.vbar; });
+  assembled.step(solver_in_the_loop(),
+                 [&](const Frame& frame) { EXPECT_EQ(frame.contacts.vbar, vbar); });
 }
 
 TEST(Simulation, WithoutAnAcceptedAnswerNothingHolds) {

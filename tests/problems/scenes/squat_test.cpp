@@ -108,7 +108,7 @@ TEST_F(Squat, ItsContactMatrixHasRankSixAndItsNormalPartRankThree) {
   cases::run(simulation, 0.03, cases::solver_in_the_loop(), [&](const Frame& frame) {
     if (frame.contacts.size() < 12 || frame.number % 5 != 0) return;
     ++frames;
-    const ContactProblem clean = simulation.composite_contacts(frame);
+    const ContactProblem clean = simulation.clean_contacts(frame);
     std::vector<Index> normals;
     for (Index i = 0; i < frame.contacts.size(); ++i) normals.push_back(3 * i);
     const auto rank = [](const MatrixXd& W) {

@@ -94,7 +94,7 @@ TEST(FrictionlessOptimum, OfTheRobotOnSixteenPointsOfWhichThreeSuffice) {
   cases::run(simulation, 0.06, cases::solver_in_the_loop(), [&](const Frame& frame) {
     if (frame.number % 10 != 5 || frame.points.empty()) return;
     ++frames;
-    expect_optimum(simulation.composite_contacts(frame),
+    expect_optimum(simulation.clean_contacts(frame),
                    normal_map(scene.setup.system.model, frame.kinematics,
                               scene.setup.system.handles, frame.links));
   });
