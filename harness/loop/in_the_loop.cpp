@@ -1,5 +1,7 @@
 #include "harness/loop/in_the_loop.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <chrono>
 #include <cmath>
@@ -159,6 +161,15 @@ class DrivenSimulation {
   double work_ = 0, power_ = 0;  ///< J, W, of what pulls.
 };
 
+/// Why a simulation at `time` (s) is not to go on; empty where it is.
+std::string reason_to_stop(const std::atomic<bool>& interrupted, std::optional<double> limit,
+                           Clock::time_point begin, double time) {
+  if (interrupted) return "interrupted";
+  if (limit && static_cast<double>(since(begin)) >= 1e9 * *limit)
+    return fmt::format("stopped after {:g} s of computing at t = {:g} s", *limit, time);
+  return "";
+}
+
 bool is_anchored(const Model& model) {
   for (const Link& link : model.links())
     if (link.parent == Link::world && link.joint != JointKind::free) return true;
@@ -171,7 +182,7 @@ bool is_anchored(const Model& model) {
 
 LoopRun run_in_the_loop(const NamedScene& scene, const NamedSolver& solver,
                         const Acceptance& acceptance, const FrameLook& look,
-                        const std::atomic<bool>& interrupted) {
+                        const std::atomic<bool>& interrupted, std::optional<double> limit) {
   LoopRun run{.scene = scene.spelling,
               .solver = solver.spelling,
               .acceptance = acceptance,
@@ -179,18 +190,19 @@ LoopRun run_in_the_loop(const NamedScene& scene, const NamedSolver& solver,
               .duration = scene.setup.duration,
               .frames = {},
               .broken = {},
+              .stopped = false,
               .driven = !scene.setup.system.model.prescribed().empty(),
               .anchored = is_anchored(scene.setup.system.model),
               .trail = {}};
   const Index steps = std::lround(run.duration / run.dt);
   DrivenSimulation driven(scene, solver, acceptance, look);
   run.frames.reserve(steps);
+  const Clock::time_point begin = Clock::now();
   run.trail.push_back(driven.centres());
   for (Index i = 0; i < steps; ++i) {
-    if (interrupted) {
-      run.broken = "interrupted";
-      break;
-    }
+    run.broken = reason_to_stop(interrupted, limit, begin, static_cast<double>(i) * run.dt);
+    run.stopped = !run.broken.empty();
+    if (run.stopped) break;
     try {
       run.frames.push_back(driven.step());
       if ((i + 1) * trail_parts / steps > i * trail_parts / steps)

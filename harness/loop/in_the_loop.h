@@ -2,6 +2,7 @@
 
 #include <atomic>
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -51,7 +52,8 @@ struct LoopRun {
   Acceptance acceptance;
   double dt = 0, duration = 0;  ///< s.
   std::vector<FrameRecord> frames;
-  std::string broken;     ///< Why it ended early: bodies no longer at finite speed; interrupted.
+  std::string broken;     ///< Why it ended early: bodies no longer at finite speed; stopped.
+  bool stopped = false;   ///< By its limit of time or an interruption, while all was well.
   bool driven = false;    ///< Prescribed joints do work that nobody counts.
   bool anchored = false;  ///< Joints to the world hold forces that nobody counts.
   /// Centres of mass of the links, m, at the start and after every further part of the duration.
@@ -62,9 +64,10 @@ struct LoopRun {
 using FrameLook = std::function<void(const Simulation&, const Frame&, const FrameRecord&)>;
 
 /// Simulates a scene with a solver in the loop: the forces it finds move the bodies. An answer that
-/// is not accepted counts as failed and the frictionless one acts (paper V-A).
+/// is not accepted counts as failed and the frictionless one acts (paper V-A). Before a step that
+/// would begin `limit` s of wall-clock time after the first it stops.
 LoopRun run_in_the_loop(const NamedScene& scene, const NamedSolver& solver,
                         const Acceptance& acceptance, const FrameLook& look,
-                        const std::atomic<bool>& interrupted);
+                        const std::atomic<bool>& interrupted, std::optional<double> limit = {});
 
 }  // namespace lcp

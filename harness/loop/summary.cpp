@@ -83,6 +83,7 @@ void for_each_field(Summary& s, Field field) {
   field("scene", s.scene);
   field("solver", s.solver);
   field("broken", s.broken);
+  field("stopped", s.stopped);
   field("dt", s.dt);
   field("duration", s.duration);
   field("steps", s.steps);
@@ -126,6 +127,7 @@ LoopSummary summarise(const LoopRun& run, double mass, const Vector3d& gravity) 
   summary.scene = run.scene;
   summary.solver = run.solver;
   summary.broken = run.broken;
+  summary.stopped = run.stopped;
   summary.dt = run.dt;
   summary.duration = run.duration;
   summary.steps = static_cast<Index>(run.frames.size());

@@ -11,6 +11,7 @@ namespace lcp {
 /// A simulation in figures. Counts are of frames with contact; `failure` counts frictional LCPs.
 struct LoopSummary {
   std::string scene, solver, broken;
+  bool stopped = false;         ///< Broken only in that it took too long, or by an interruption.
   double dt = 0, duration = 0;  ///< s; duration asked for.
   Index steps = 0;              ///< Done.
   Index total_frames = 0;       ///< Frames with contact.

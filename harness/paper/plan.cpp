@@ -29,7 +29,7 @@ PaperColumn lexicographic(const std::string& delta) {
 /// Ours, in both tables.
 void add_own_columns(PaperPlan& plan) {
   plan.columns.push_back(column("lexicographic-pivot", "lexico-pivot", "lexicographic-pivot"));
-  plan.columns.push_back(column("best-first", "best-first", "best-first", by_residual));
+  plan.columns.push_back(own_column());
 }
 
 bool works_in_paper_units(const NamedSolver& solver) {
@@ -38,24 +38,13 @@ bool works_in_paper_units(const NamedSolver& solver) {
   return false;
 }
 
-void add_rest_of_registry(PaperPlan& plan) {
-  for (const NamedSolver& solver : make_solvers({"all"})) {
-    const bool there =
-        std::any_of(plan.columns.begin(), plan.columns.end(),
-                    [&](const PaperColumn& each) { return each.solver == solver.spelling; });
-    if (there) continue;
-    plan.columns.push_back({solver.spelling, solver.spelling, solver.spelling,
-                            works_in_paper_units(solver) ? by_paper : by_residual});
-  }
-}
-
 PaperPlan table_1() {
   PaperPlan plan;
   plan.table = 1;
   plan.scene = "squat";
   plan.beside = "squat:reduction=paper";
   plan.beside_label = "reduced";
-  plan.columns = {column("proposed", "proposed", proposed), column("lemke", "lemke", "lemke")};
+  plan.columns = {proposed_column(), column("lemke", "lemke", "lemke")};
   for (const char* delta : {"0", "1e-8", "1e-6", "1e-4", "1e-3"})
     plan.columns.push_back(lexicographic(delta));
   plan.rows = {"contacts", "active",      "total_frames", "success",
@@ -71,8 +60,7 @@ PaperPlan table_2() {
   PaperPlan plan;
   plan.table = 2;
   plan.scene = "tap-dance";
-  plan.columns = {{"lexicographic", "lexico best", "", by_paper},
-                  column("proposed", "proposed", proposed)};
+  plan.columns = {{"lexicographic", "lexico best", "", by_paper}, proposed_column()};
   plan.deltas = {"0",    "1e-12", "1e-11", "1e-10", "1e-9", "1e-8",
                  "1e-7", "1e-6",  "1e-5",  "1e-4",  "1e-3"};
   plan.rows = {"delta",
@@ -103,8 +91,27 @@ PaperPlan paper_plan(int table, bool all_solvers) {
   plan.driver = make_solver("best-first").spelling;
   plan.second_look = by_residual;
   add_own_columns(plan);
-  if (all_solvers) add_rest_of_registry(plan);
+  if (all_solvers)
+    for (PaperColumn& each : rest_of_registry(plan.columns))
+      plan.columns.push_back(std::move(each));
   return plan;
+}
+
+PaperColumn proposed_column() { return column("proposed", "proposed", proposed); }
+
+PaperColumn own_column() { return column("best-first", "best-first", "best-first", by_residual); }
+
+std::vector<PaperColumn> rest_of_registry(const std::vector<PaperColumn>& there) {
+  std::vector<PaperColumn> rest;
+  for (const NamedSolver& solver : make_solvers({"all"})) {
+    const bool known = std::any_of(there.begin(), there.end(), [&](const PaperColumn& each) {
+      return each.solver == solver.spelling;
+    });
+    if (known) continue;
+    rest.push_back({solver.spelling, solver.spelling, solver.spelling,
+                    works_in_paper_units(solver) ? by_paper : by_residual});
+  }
+  return rest;
 }
 
 PaperColumn column_of_delta(const std::string& delta) { return lexicographic(delta); }

@@ -34,9 +34,18 @@ struct PaperPlan {
   std::optional<double> duration;           ///< Of every simulation, s. Default: the scene's.
 };
 
-/// The plan of Table `table`, 1 or 2; with `all_solvers`, the rest of the registry as columns: rows
-/// that work in the paper's units (scale = off) judged by its criterion, others by the residual.
+/// The plan of Table `table`, 1 or 2; with `all_solvers`, the rest of the registry as columns.
 PaperPlan paper_plan(int table, bool all_solvers);
+
+/// The paper's solver at its constants, judged as there.
+PaperColumn proposed_column();
+
+/// Ours: `best-first` with its defaults, judged by the residual.
+PaperColumn own_column();
+
+/// A column for every row of the registry that is not among `there`: rows that work in the paper's
+/// units (scale = off) judged by its criterion, others by the residual.
+std::vector<PaperColumn> rest_of_registry(const std::vector<PaperColumn>& there);
 
 /// The solver of a delta of the sweep, and the column it makes.
 PaperColumn column_of_delta(const std::string& delta);

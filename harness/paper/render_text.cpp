@@ -3,72 +3,13 @@
 #include <algorithm>
 
 #include "harness/paper/paper_table.h"
+#include "harness/paper/text_lines.h"
 
 namespace lcp {
 
 namespace {
 
-constexpr std::size_t row_width = 22, line_width = 12;
-constexpr std::size_t cell_width = 10;        ///< With its mark.
 constexpr std::size_t columns_per_block = 7;  ///< All of the paper's Table I in 104 letters.
-
-using Words = std::vector<std::string>;
-
-/// A heading cut after hyphens, commas, colons and at spaces into pieces that fit a cell.
-Words broken(const std::string& heading) {
-  constexpr std::size_t most = cell_width - 2;
-  Words words{""};
-  for (const char c : heading) {
-    if (c == ' ')
-      words.emplace_back();
-    else
-      words.back() += c;
-    if (c == '-' || c == ',' || c == ':') words.emplace_back();
-  }
-  Words lines;
-  for (const std::string& word : words) {
-    if (word.empty()) continue;
-    const bool follows_hyphen =
-        !lines.empty() && std::string("-,:").find(lines.back().back()) != std::string::npos;
-    if (follows_hyphen && lines.back().size() + word.size() <= most)
-      lines.back() += word;
-    else
-      lines.push_back(word);
-  }
-  return lines;
-}
-
-/// Headings as lines, bottom-aligned, each right-aligned in its cell.
-std::string head(const Words& headings) {
-  std::vector<Words> all;
-  std::size_t height = 0;
-  for (const std::string& heading : headings) {
-    all.push_back(broken(heading));
-    height = std::max(height, all.back().size());
-  }
-  std::string out;
-  for (std::size_t k = 0; k < height; ++k) {
-    out += std::string(row_width + line_width, ' ');
-    for (const Words& lines : all) {
-      const std::size_t above = height - lines.size();
-      out += fmt::format("{:>{}} ", k < above ? "" : lines[k - above], cell_width - 1);
-    }
-    out.erase(out.find_last_not_of(' ') + 1);
-    out += '\n';
-  }
-  return out;
-}
-
-std::string line(const std::string& row, const std::string& label, const Words& cells) {
-  std::string out = fmt::format("{:<{}}{:<{}}", row, row_width, label, line_width);
-  for (const std::string& cell : cells) out += fmt::format("{:>{}}", cell, cell_width);
-  out.erase(out.find_last_not_of(' ') + 1);
-  return out + '\n';
-}
-
-std::string cell_text(const PaperQuantity& quantity, const PaperCell& cell) {
-  return cell.value ? printed(quantity, *cell.value) + (cell.far ? "*" : " ") : "- ";
-}
 
 /// All rows for the columns first ... last - 1.
 std::string block(const PaperTable& table, const std::vector<std::string>& keys, std::size_t first,
@@ -76,18 +17,7 @@ std::string block(const PaperTable& table, const std::vector<std::string>& keys,
   std::string out;
   for (const std::string& key : keys) {
     const PaperQuantity& quantity = paper_quantity(key);
-    std::string label = quantity.label;
-    for (const PaperLine& each : lines_of(table, quantity)) {
-      Words cells;
-      bool any = false;
-      for (std::size_t i = first; i < last; ++i) {
-        cells.push_back(cell_text(quantity, each.cells[i]));
-        any = any || each.cells[i].value;
-      }
-      if (!any) continue;
-      out += line(label, each.label, cells);
-      label.clear();
-    }
+    out += row_text(quantity, lines_of(table, quantity), first, last);
   }
   return out;
 }
@@ -104,13 +34,13 @@ std::string judged_line(const PaperTable& table, std::size_t first, std::size_t 
     cells.push_back(table.plan.columns[i].acceptance.criterion == Acceptance::Criterion::paper
                         ? "paper "
                         : "residual ");
-  return line("judged in the loop by", "", cells);
+  return text_line("judged in the loop by", "", cells);
 }
 
 /// The columns from `first` on with all their rows, as far as they go into one block.
 std::string whole_block(const PaperTable& table, std::size_t first) {
   const std::size_t last = std::min(first + columns_per_block, table.plan.columns.size());
-  return head(headings(table, first, last)) + judged_line(table, first, last) +
+  return heading_lines(headings(table, first, last)) + judged_line(table, first, last) +
          block(table, table.plan.rows, first, last) + "ours\n" +
          block(table, table.plan.own_rows, first, last) + "\n";
 }
@@ -122,7 +52,7 @@ std::string sweep_text(const PaperTable& table) {
                       "error",   "lcp_time_ms", "total_pivots", "fell"};
   Words names = {"success", "failure", "no sol.", "cycle", "error", "LCP ms", "pivots", "fell"};
   std::string out = fmt::format("lexicographic in the loop of {}, by threshold delta\n{}",
-                                table.plan.scene, head(names));
+                                table.plan.scene, heading_lines(names));
   const std::size_t best = best_of(table.sweep);
   for (std::size_t i = 0; i < table.sweep.size(); ++i) {
     Words cells;
@@ -130,7 +60,7 @@ std::string sweep_text(const PaperTable& table) {
       const PaperQuantity& quantity = paper_quantity(key);
       cells.push_back(cell_text(quantity, {quantity.in_loop(table.sweep[i])}));
     }
-    out += line("  delta = " + table.plan.deltas[i], i == best ? "best" : "", cells);
+    out += text_line("  delta = " + table.plan.deltas[i], i == best ? "best" : "", cells);
   }
   return out + "Best is most successes of those whose robot did not fall, then fewest pivots.\n\n";
 }
@@ -144,7 +74,7 @@ std::string other_corpora(const PaperTable& table) {
     const std::size_t count = table.plan.columns.size();
     for (std::size_t first = 0; first < count; first += columns_per_block) {
       const std::size_t last = std::min(first + columns_per_block, count);
-      out += head(headings(table, first, last));
+      out += heading_lines(headings(table, first, last));
       for (const char* key : {"success", "no_solution", "cycle", "error", "frictionless_failures"})
         for (const auto* columns : {&table.by_paper, &table.by_residual}) {
           const PaperQuantity& quantity = paper_quantity(key);
@@ -155,8 +85,8 @@ std::string other_corpora(const PaperTable& table) {
                 cell_text(quantity, {found ? quantity.on_corpus(*found) : std::nullopt}));
           }
           const bool first_line = columns == &table.by_paper;
-          out +=
-              line(first_line ? quantity.label : "", first_line ? "on corpus" : "  at 1e-6", cells);
+          out += text_line(first_line ? quantity.label : "", first_line ? "on corpus" : "  at 1e-6",
+                           cells);
         }
     }
     out += "\n";

@@ -35,8 +35,15 @@ json to_json(const LoopQuestion& question) {
           {"duration", question.duration ? json(*question.duration) : json()}};
 }
 
+/// Whether a simulation stopped at one limit would go on under another.
+bool is_lower(const std::optional<double>& limit, const std::optional<double>& other) {
+  return limit && (!other || *limit < *other);
+}
+
 void write(const fs::path& file, const LoopColumn& column) {
+  const std::optional<double>& limit = column.question.limit;
   const json object = {{"question", to_json(column.question)},
+                       {"limit", limit ? json(*limit) : json()},
                        {"summary", column.summary},
                        {"environment", column.environment},
                        {"commit", column.commit},
@@ -72,7 +79,8 @@ void simulate(const fs::path& file, LoopColumn column, const NamedScene& scene,
   const std::atomic<bool> never = false;
   const LoopRun run = run_in_the_loop(
       scene, make_solver(column.question.solver), column.question.acceptance,
-      [&](const Simulation&, const Frame&, const FrameRecord&) { beat(); }, never);
+      [&](const Simulation&, const Frame&, const FrameRecord&) { beat(); }, never,
+      column.question.limit);
   column.summary = summarise(run, scene.setup.system.model.mass(), scene.setup.system.gravity);
   replace_file(fs::path(file).replace_extension(".csv").string(), frames_csv(run));
   write(file, column);
@@ -95,8 +103,10 @@ std::optional<LoopColumn> read_loop_column(const PaperDirectory& directory,
   const json object = read_json_file(file);
   LoopColumn column{question, {}, {}, {}, 1};
   json asked;
+  std::optional<double> limit;
   try {
     asked = object.at("question");
+    if (!object.at("limit").is_null()) limit = object.at("limit").get<double>();
     object.at("environment").get_to(column.environment);
     object.at("commit").get_to(column.commit);
     object.at("jobs").get_to(column.jobs);
@@ -113,6 +123,7 @@ std::optional<LoopColumn> read_loop_column(const PaperDirectory& directory,
                     file.string(), column.commit, asked.dump(),
                     directory.environment().at("commit").get<std::string>(),
                     to_json(question).dump(), directory.path().string()));
+  if (column.summary.stopped && is_lower(limit, question.limit)) return std::nullopt;
   return column;
 }
 

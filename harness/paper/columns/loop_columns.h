@@ -17,6 +17,9 @@ struct LoopQuestion {
   std::string scene, solver;  ///< Full spellings.
   Acceptance acceptance;
   std::optional<double> duration;  ///< s; the scene's where empty.
+  /// s of computing after which it is stopped, broken, with the frames that it did. An answer that
+  /// came to its end is one to every limit.
+  std::optional<double> limit = {};
 
   bool operator==(const LoopQuestion&) const = default;
 };
@@ -35,8 +38,9 @@ struct LoopColumn {
 /// Where a column is kept below the table's directory: `loop/squat/lexicographic,delta=0@paper.json`.
 std::filesystem::path loop_file(const LoopQuestion& question);
 
-/// The column of a question; empty where there is none yet. Throws UnreadableInput on a damaged
-/// file, std::invalid_argument on one of another commit or another question.
+/// The column of a question; empty where there is none yet, or one that was stopped at a lower
+/// limit. Throws UnreadableInput on a damaged file, std::invalid_argument on one of another commit
+/// or another question.
 std::optional<LoopColumn> read_loop_column(const PaperDirectory& directory,
                                            const LoopQuestion& question);
 
