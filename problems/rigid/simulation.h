@@ -90,7 +90,7 @@ class Simulation {
   /// Detects and solves the contacts, hands the frame to `look` and moves the bodies by dt: contact
   /// forces act through the whole step as they are at its beginning (forces of world axes at points
   /// fixed in the world). Throws SimulationBroke, naming the time, where the state or the contact
-  /// problem does not consist of finite numbers.
+  /// problem is none: not finite, or its W nothing but rounding.
   void step(const ContactSolver& solver, const std::function<void(const Frame&)>& look = {});
 
   /// The contact problem of a frame with a matrix that is symmetric and positive semidefinite up to
@@ -107,6 +107,7 @@ class Simulation {
   Kinematics kinematics_of(const State& state, const Vector3d& origin) const;
   std::vector<ContactPoint> contact_points(const Kinematics& kinematics) const;
   void pose_contacts(Frame& frame) const;
+  void require_sound(const ContactProblem& contacts) const;
   void solve(Frame& frame, const ContactSolver& solver) const;
   /// Assembles the system under what acts on it but contacts, and `more` (6) on each link, if any.
   void assemble(ForwardDynamics& dynamics, const State& state, const Kinematics& kinematics,
