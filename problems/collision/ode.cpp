@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cstdarg>
 #include <mutex>
 #include <stdexcept>
 #include <tuple>
@@ -25,6 +26,9 @@ std::unique_lock<std::mutex> use_ode() {
   std::unique_lock<std::mutex> lock(mutex);
   static const bool initialised =
       dInitODE2(0) != 0 && dAllocateODEDataForThread(dAllocateMaskAll) != 0;
+  // Its warnings go to stderr: that meshes have many points close together, which is their nature.
+  static const bool silenced = (dSetMessageHandler([](int, const char*, va_list) {}), true);
+  static_cast<void>(silenced);
   if (!initialised) throw std::runtime_error("collision: ODE cannot be initialised");
   return lock;
 }

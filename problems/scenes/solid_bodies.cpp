@@ -72,9 +72,9 @@ Shape as_mesh(const Shape& shape, Index divisions) {
   Shape mesh = shape;
   const Index around = kFacetsAround;
   if (const auto* sphere = std::get_if<Sphere>(&shape.geometry)) {
-    mesh.geometry = mesh_of(Capsule{sphere->radius, 0}, around, around / 4);
+    mesh.geometry = mesh_of(Capsule{sphere->radius, 0}, around, 1);
   } else if (const auto* capsule = std::get_if<Capsule>(&shape.geometry)) {
-    mesh.geometry = mesh_of(*capsule, around, around / 4);
+    mesh.geometry = mesh_of(*capsule, around, 1);
   } else if (const auto* ring = std::get_if<Ring>(&shape.geometry)) {
     mesh.geometry = mesh_of(*ring, around);
   } else if (const auto* cylinder = std::get_if<Cylinder>(&shape.geometry)) {

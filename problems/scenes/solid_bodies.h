@@ -21,7 +21,7 @@ enum class Surfaces {
 };
 
 /// Facets around a round surface that is turned into triangles.
-inline constexpr Index kFacetsAround = 12;
+inline constexpr Index kFacetsAround = 6;
 
 /// The rule by which the shapes of a scene touch one another, all but those of excluded pairs of
 /// links. As a mesh a face of a box has `divisions`^2 rectangles; half-spaces stay what they are.
