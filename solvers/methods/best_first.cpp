@@ -19,10 +19,13 @@
 // Order     Where many contacts hold few freedoms most candidates cost nothing. Among them larger
 //           pivots come first (Harris' idea for the ratio test): a pivot of 1e-9 among fourteen tied
 //           ones leads into a subtree without a way out, which is then searched to its end.
-// Patience  Where all candidates are noise of about 1e-10, a fine cost grid sends the search from one
-//           branch to the next and never down; a coarse one takes every bad pivot for a good one and
-//           is lost elsewhere. No grid suits all frames, and most that a grid suits need few nodes:
-//           so an attempt that takes long is given up for one on a coarser grid.
+// Patience  What leads astray is seldom near: a bad choice among tied rows at depth 50 shows as
+//           thousands of nodes at depth 90, orders of the same few ties, of which the deepest are always
+//           next. And where all candidates are noise of about 1e-10, a fine cost grid sends the search
+//           from one branch to the next and never down, while a coarse one takes bad pivots for good
+//           ones elsewhere. No order and no grid suits all frames, and most that one suits need few
+//           nodes: so an attempt that takes long, or ends empty-handed, is followed by one in another
+//           order among equals, then on a coarser grid.
 // Differs   from lexicographic.cpp: a bad choice among tied rows can be taken back. The cost as
 //           printed, sum of exp(-q_min), is about 1 per pivot where problems are degenerate and
 //           makes the search breadth-first; `best-first-uniform` keeps it for the record, the other
@@ -61,7 +64,7 @@ struct BestFirstOptions {
   double cost_grid = 1e-11;
   Order order = Order::pivot;
   double delta = 1e-9;
-  Index patience = 1000;
+  Index patience = 500;
   Index max_nodes = 20000;
   bool polish = true;
   PivotingOptions pivoting = {.pivot = 1e-12, .scale = true, .refactor_every = 8};
@@ -89,9 +92,10 @@ OptionTable option_table(BestFirstOptions& options, OptionTable pivoting) {
           "siblings of equal cost: larger pivots first; by row; or the lexicographic rule's choice "
           "first, and then pivots with q_min above -cost_grid/2 cost 0"),
       real("delta", options.delta, 0, 1, "tie threshold of order=lexicographic; scale worked in"),
-      count("patience", options.patience, 0, 100'000'000,
-            "nodes after which the search begins again with a cost grid 100 times as coarse, as "
-            "far as epsilon, then for good with the first; 0: never"),
+      count(
+          "patience", options.patience, 0, 100'000'000,
+          "nodes after which the search begins again in another order of equals, then with a cost "
+          "grid 100 times as coarse, as far as epsilon, last for good as at first; 0: never"),
       count("max_nodes", options.max_nodes, 1, 100'000'000, "nodes opened before `limit`"),
       flag("polish", options.polish,
            "solve once more on the final basis, refine, and set negative z to 0"),
@@ -375,23 +379,35 @@ Work together(const Work& before, const Work& last) {
   return work;
 }
 
+/// The attempts before the last: on each cost grid in the order that is asked for, then in another.
+std::vector<BestFirstOptions> short_attempts(const BestFirstOptions& options) {
+  std::vector<BestFirstOptions> attempts;
+  if (options.patience == 0) return attempts;
+  BestFirstOptions attempt = options;
+  attempt.max_nodes = options.patience;
+  const Order other = options.order == Order::lexicographic ? Order::pivot : Order::lexicographic;
+  for (; attempt.cost_grid < kWidest * options.epsilon; attempt.cost_grid *= kWiden)
+    for (const Order order : {options.order, other}) {
+      attempt.order = order;
+      attempts.push_back(attempt);
+    }
+  return attempts;
+}
+
 template <class Dictionary>
 Result solve(const Problem& problem, const BestFirstOptions& options, const Call& call) {
   Work before;
-  BestFirstOptions attempt = options;
-  attempt.max_nodes = options.patience;
-  while (options.patience > 0 && before.nodes + options.patience < options.max_nodes &&
-         attempt.cost_grid < kWidest * options.epsilon) {
+  for (const BestFirstOptions& attempt : short_attempts(options)) {
+    if (before.nodes + options.patience >= options.max_nodes) break;
     Result result = Search<Dictionary>(problem, attempt, call).run();
     result.work = together(before, result.work);
-    if (result.claim != Claim::limit) return result;
+    if (result.claim != Claim::limit && result.claim != Claim::exhausted) return result;
     before = result.work;
     ++before.restarts;
-    attempt.cost_grid *= kWiden;
   }
-  attempt = options;
-  attempt.max_nodes = options.max_nodes - before.nodes;
-  Result result = Search<Dictionary>(problem, attempt, call).run();
+  BestFirstOptions last = options;
+  last.max_nodes = options.max_nodes - before.nodes;
+  Result result = Search<Dictionary>(problem, last, call).run();
   result.work = together(before, result.work);
   if (result.claim == Claim::limit)
     result.message = fmt::format("max_nodes={} reached", options.max_nodes);
