@@ -27,8 +27,8 @@ Index solved(const std::string& solver) {
   Index count = 0;
   for (const Instance& instance : sample())
     if (frictional(instance))
-      count += judge(instance, named.solver->solve(instance.problem), 1e-6).verdict ==
-               Verdict::solved;
+      count +=
+          judge(instance, named.solver->solve(instance.problem), 1e-6).verdict == Verdict::solved;
   return count;
 }
 
@@ -55,8 +55,8 @@ TEST(SceneSample, TheSearchSolvesAllInFewNodes) {
 }
 
 TEST(SceneSample, FollowingASinglePathLosesFrames) {
-  for (const char* row : {"lemke", "lexicographic", "lexicographic-pivot", "lemke-revised",
-                          "lexicographic-revised"})
+  for (const char* row :
+       {"lemke", "lexicographic", "lexicographic-pivot", "lemke-revised", "lexicographic-revised"})
     EXPECT_LT(solved(row), 8) << row;
 }
 
