@@ -8,6 +8,9 @@
 #include <map>
 #include <stdexcept>
 
+#include "problems/scenes/scene.h"
+#include "solvers/registry.h"
+
 namespace lcp {
 
 namespace {
@@ -98,7 +101,7 @@ Parts contact_parts() {
           {.family = "stack:mass_ratio=1"}};
 }
 
-constexpr Index largest_scaled = 128;  // Contacts.
+constexpr Index largest_scaled = 200;  // Contacts.
 
 Parts scaling_parts() {
   Parts parts;
@@ -109,6 +112,12 @@ Parts scaling_parts() {
         "stack:bodies=2,mass_ratio=1", "stack:bodies=8,mass_ratio=1",
         "stack:bodies=16,mass_ratio=1", "stack:bodies=32,mass_ratio=1"})
     parts.push_back({.family = family, .count = 5});
+  // On the rod 20 ms after the start, from a drop that is over by then.
+  for (const int links : {25, 50, 100, 200})
+    parts.push_back(
+        {.count = 40,
+         .every = 8,
+         .scene = fmt::format("hoist:links={},plates=1,lift=0,toss=0,clearance=0", links)});
   return parts;
 }
 
@@ -124,6 +133,31 @@ Parts thinned_to(Index every, Parts parts) {
 }
 
 constexpr std::uint64_t suite_seed = 1;
+
+/// The first `count` frames of a scene that have contacts, driven by best-first.
+std::vector<Instance> frames_of(const std::string& text, Index count) {
+  const NamedScene scene = make_scene(text);
+  const NamedSolver solver = make_solver("best-first");
+  const ContactSolver driver = {
+      .solve = [&](const Problem& problem,
+                   const Call& call) { return solver.solver->solve(problem, call); },
+      .accept = [](const Problem&, const Result& result) { return result.claim == Claim::solved; }};
+  Simulation simulation(scene.setup.system, scene.setup.stepping);
+  std::vector<Instance> frames;
+  while (static_cast<Index>(frames.size()) < count) {
+    simulation.step(driver, [&](const Frame& frame) {
+      if (frame.points.empty()) return;
+      frames.push_back(make_instance(fmt::format("{}/{:05}", scene.spelling, frame.number),
+                                     frame.solution.frictional,
+                                     {{"scene", scene.spelling},
+                                      {"time", fmt::format("{}", frame.state.time)},
+                                      {"driver", solver.spelling},
+                                      {"contact_ids", spell_ids(frame.contacts.contacts)}}));
+      frames.back().active_contacts = frame.solution.active;
+    });
+  }
+  return frames;
+}
 
 Index drawn(const SuitePart& part) {
   if (part.count > 0) return part.count;
@@ -166,8 +200,8 @@ const std::vector<Suite>& suites() {
        "problem",
        thinned_to(5, joined({small_parts(), contact_parts()})),
        {"all"}},
-      {"scaling", "contact families, from few contacts to many", scaling_parts(), own_solvers(),
-       largest_scaled},
+      {"scaling", "contact families and chains of 25 to 200 links, from few contacts to many",
+       scaling_parts(), own_solvers(), largest_scaled},
       {"small", "published instances and every generated family without contacts", small_parts(),
        own_solvers()},
   };
@@ -193,8 +227,10 @@ Index size(const Suite& suite) {
 std::vector<Instance> generate(const Suite& suite) {
   std::vector<Instance> all;
   for (const SuitePart& part : suite.parts) {
-    std::vector<Instance> kept =
-        thinned(generate(part.family, {.count = drawn(part), .seed = suite_seed}), part.every, 0);
+    std::vector<Instance> kept = thinned(
+        part.scene.empty() ? generate(part.family, {.count = drawn(part), .seed = suite_seed})
+                           : frames_of(part.scene, part.count),
+        part.every, 0);
     std::move(kept.begin(), kept.end(), std::back_inserter(all));
   }
   return all;

@@ -7,11 +7,15 @@
 
 namespace lcp {
 
-/// Instances of one generated family.
+/// Instances of one generated family, or frames of a scene.
 struct SuitePart {
-  std::string family;  ///< `name:key=value,...`
-  Index count = 0;     ///< Instances drawn; 0 means the family's default.
-  Index every = 1;     ///< Of these, the first and every `every`-th after it are kept.
+  std::string family = {};  ///< `name:key=value,...`
+  Index count = 0;          ///< Instances drawn; 0 means the family's default.
+  Index every = 1;          ///< Of these, the first and every `every`-th after it are kept.
+  /// Instead of a family: of the frames with contact, as best-first drives them, so many are drawn.
+  std::string scene = {};
+
+  const std::string& spelling() const { return scene.empty() ? family : scene; }
 };
 
 /// A named choice of instances and of the solvers that meet on them.

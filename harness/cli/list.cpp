@@ -130,7 +130,7 @@ void list_suites(bool json) {
     else
       fmt::print("    not measured below runs/ or results/\n");
     for (const SuitePart& part : suite.parts)
-      fmt::print("    {}{}\n", part.family,
+      fmt::print("    {}{}\n", part.spelling(),
                  part.every > 1 ? fmt::format(", one in {}", part.every) : std::string());
     fmt::print("\n");
   }

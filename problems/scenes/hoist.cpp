@@ -28,6 +28,8 @@ namespace {
 
 struct HoistKnobs {
   Index links = 26;
+  Index plates = 2;
+  double clearance = 0.002;
   double lift = 0.02;
   double toss = 1;
   double pull = 0.12;
@@ -38,6 +40,8 @@ struct HoistKnobs {
 OptionTable knob_table(HoistKnobs& knobs) {
   OptionTable own = {
       count("links", knobs.links, 8, 400, "of the chain"),
+      count("plates", knobs.plates, 1, 2, "of a link, side by side"),
+      real("clearance", knobs.clearance, 0, 0.05, "between the arch and the rod at first, m"),
       real("lift", knobs.lift, 0, 1, "of the chain above rod and floor at the start, m"),
       real("toss", knobs.toss, 0, 5, "upward speed of the chain at the start, m/s"),
       real("pull", knobs.pull, 0, 0.5, "way of the hand over the length of the chain"),
@@ -52,7 +56,6 @@ const Vector3d kEdges(0.09, 0.02, 0.04);                  // m
 constexpr double kApart = 0.04;                           // m, between the plates' centres
 constexpr double kMass = 0.15;                            // kg
 constexpr double kDamping = 2e-3;                         // N m s/rad
-constexpr double kClearance = 0.002;                      // m, between the arch and the rod
 constexpr double kRodLength = 0.4;                        // m
 constexpr double kStiffness = 500, kDamper = 10;          // N/m, N s/m
 constexpr double kHold = 2, kPull = 3, kRest = 7;         // s
@@ -70,9 +73,9 @@ struct Layout {
     more = rest % 2;
   }
 
-  double rod_radius() const {
+  double rod_radius(double clearance) const {
     const double half_turn = std::numbers::pi / 2 / static_cast<double>(arch);
-    return kPitch / 2 / std::tan(half_turn) - kEdges.z() / 2 - kClearance;
+    return kPitch / 2 / std::tan(half_turn) - kEdges.z() / 2 - clearance;
   }
   double strand_height() const { return kPitch * static_cast<double>(strand); }
 };
@@ -89,22 +92,36 @@ std::vector<double> pitches(const Layout& layout) {
   return angles;
 }
 
-/// Of a link's two plates about the centre between them.
-Matrix3d plates_inertia() {
-  Matrix3d inertia = solid_inertia(collision::Box{kEdges}, kMass);
-  inertia.diagonal() += kMass * kApart * kApart / 4 * Vector3d(1, 0, 1);
+/// A link's plates, side by side in its frame; a single one is as wide as two and what is between.
+std::vector<collision::Shape> plates_of(Index link, Index plates) {
+  const auto plate = [&](const Vector3d& edges, double side) {
+    return collision::Shape{
+        collision::Box{edges}, link, {Matrix3d::Identity(), {kPitch / 2, side, 0}}};
+  };
+  if (plates == 1) return {plate(kEdges + Vector3d(0, kApart, 0), 0)};
+  return {plate(kEdges, -kApart / 2), plate(kEdges, kApart / 2)};
+}
+
+/// Of all plates of a link about its centre.
+Matrix3d link_inertia(Index plates) {
+  Matrix3d inertia = Matrix3d::Zero();
+  for (const collision::Shape& plate : plates_of(0, plates)) {
+    const double mass = kMass / static_cast<double>(plates), side = plate.in_link.p.y();
+    inertia += solid_inertia(plate.geometry, mass);
+    inertia.diagonal() += mass * side * side * Vector3d(1, 0, 1);
+  }
   return inertia;
 }
 
 /// Links along x, centres in their middle.
-Model chain(Index links) {
+Model chain(Index links, Index plates) {
   std::vector<Link> all;
   for (Index i = 0; i < links; ++i) {
     Link link;
     link.name = fmt::format("link{}", i + 1);
     link.mass = kMass;
     link.centre = {kPitch / 2, 0, 0};
-    link.inertia = plates_inertia();
+    link.inertia = link_inertia(plates);
     if (i > 0) {
       link.parent = i - 1;
       link.joint = JointKind::ball;
@@ -160,20 +177,19 @@ std::function<std::vector<PointForce>(double, const Kinematics&)> hand(const Mod
 SceneSetup set_up(const HoistKnobs& knobs) {
   using namespace collision;
   const Layout layout(knobs.links);
-  Model model = chain(knobs.links);
+  Model model = chain(knobs.links, knobs.plates);
   const State at = start(model, layout, knobs);
 
   std::vector<Index> handles;
   std::vector<Shape> shapes = {
       {HalfSpace{}},
-      {Cylinder{layout.rod_radius(), kRodLength},
+      {Cylinder{layout.rod_radius(knobs.clearance), kRodLength},
        Link::world,
        {Eigen::AngleAxisd(std::numbers::pi / 2, Vector3d::UnitX()).toRotationMatrix(),
         {0, 0, kEdges.z() / 2 + layout.strand_height()}}}};
   for (Index i = 0; i < model.size(); ++i) {
     handles.push_back(i);
-    for (const double side : {-kApart / 2, kApart / 2})
-      shapes.push_back({Box{kEdges}, i, {Matrix3d::Identity(), {kPitch / 2, side, 0}}});
+    for (Shape& plate : plates_of(i, knobs.plates)) shapes.push_back(std::move(plate));
   }
   std::vector<LinkPair> joined;
   for (Index i = 1; i < model.size(); ++i) joined.emplace_back(i - 1, i);

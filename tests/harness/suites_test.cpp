@@ -7,6 +7,7 @@
 #include <set>
 #include <stdexcept>
 
+#include "problems/scenes/scene.h"
 #include "solvers/registry.h"
 
 namespace lcp {
@@ -21,6 +22,16 @@ void check_family(const std::string& text) {
   if (row == families().end()) throw std::invalid_argument(text);
   const std::unique_ptr<Family> family = row->make();
   apply(family->options(), spelling, row->info.name);
+}
+
+void check_scene(const std::string& text) {
+  const Spelling spelling = parse_spelling(text);
+  const auto row = std::find_if(scenes().begin(), scenes().end(), [&](const SceneRow& each) {
+    return each.info.name == spelling.name;
+  });
+  if (row == scenes().end()) throw std::invalid_argument(text);
+  const std::unique_ptr<Scene> scene = row->make();
+  apply(scene->options(), spelling, row->info.name);
 }
 
 TEST(Suites, NameOnlySolversThatExistAndEachOnce) {
@@ -40,7 +51,8 @@ TEST(Suites, AreThoseTheUserWasPromised) {
 TEST(Suites, NameOnlyFamiliesThatExist) {
   for (const Suite& suite : suites())
     for (const SuitePart& part : suite.parts)
-      EXPECT_NO_THROW(check_family(part.family)) << part.family;
+      EXPECT_NO_THROW(part.scene.empty() ? check_family(part.family) : check_scene(part.scene))
+          << part.spelling();
 }
 
 TEST(Suites, AreSortedByName) {
@@ -53,6 +65,20 @@ TEST(Suites, GenerateAsManyInstancesAsTheySay) {
   const Suite thin = {"thin", "", {{"published", 7, 3}, {"published", 4, 1}}, {}};
   EXPECT_EQ(size(thin), 3 + 4);
   EXPECT_EQ(generate(thin).size(), 7u);
+}
+
+TEST(Suites, HoldFramesOfScenesOneInSoMany) {
+  SuitePart part;
+  part.count = 4;
+  part.every = 2;
+  part.scene = "hoist:links=8,plates=1,lift=0,toss=0,clearance=0";
+  const Suite suite = {"frames", "", {part}, {}};
+  const std::vector<Instance> frames = generate(suite);
+  ASSERT_EQ(static_cast<Index>(frames.size()), size(suite));
+  ASSERT_EQ(frames.size(), 2u);
+  EXPECT_EQ(corpus_of(frames[0].name), make_scene(part.scene).spelling);
+  EXPECT_TRUE(frames[0].problem.friction);
+  EXPECT_NE(frames[0].sha256, frames[1].sha256);
 }
 
 TEST(Suites, UnknownOnesAreRefusedWithTheList) {
