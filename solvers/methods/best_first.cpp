@@ -24,7 +24,7 @@
 //           next. And where all candidates are noise of about 1e-10, a fine cost grid sends the search
 //           from one branch to the next and never down, while a coarse one takes bad pivots for good
 //           ones elsewhere. No order and no grid suits all frames, and most that one suits need few
-//           nodes: so an attempt that takes long, or ends empty-handed, is followed by one in another
+//           nodes: so an attempt that takes long, or ends empty-handed, is followed by others in another
 //           order among equals, then on a coarser grid.
 // Differs   from lexicographic.cpp: a bad choice among tied rows can be taken back. The cost as
 //           printed, sum of exp(-q_min), is about 1 per pivot where problems are degenerate and
@@ -379,18 +379,18 @@ Work together(const Work& before, const Work& last) {
   return work;
 }
 
-/// The attempts before the last: on each cost grid in the order that is asked for, then in another.
+/// The attempts before the last: on each cost grid in the order that is asked for, then in two others.
 std::vector<BestFirstOptions> short_attempts(const BestFirstOptions& options) {
   std::vector<BestFirstOptions> attempts;
   if (options.patience == 0) return attempts;
-  BestFirstOptions attempt = options;
-  attempt.max_nodes = options.patience;
-  const Order other = options.order == Order::lexicographic ? Order::pivot : Order::lexicographic;
-  for (; attempt.cost_grid < kWidest * options.epsilon; attempt.cost_grid *= kWiden)
-    for (const Order order : {options.order, other}) {
-      attempt.order = order;
-      attempts.push_back(attempt);
-    }
+  BestFirstOptions asked = options, ordered, tied;
+  asked.max_nodes = options.patience;
+  for (; asked.cost_grid < kWidest * options.epsilon; asked.cost_grid *= kWiden) {
+    ordered = tied = asked;
+    ordered.order = options.order == Order::lexicographic ? Order::pivot : Order::lexicographic;
+    tied.ties = options.ties == Ties::lifo ? Ties::deepest : Ties::lifo;
+    attempts.insert(attempts.end(), {asked, ordered, tied});
+  }
   return attempts;
 }
 
