@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <limits>
+#include <set>
 #include <stdexcept>
 
 #include "harness/paper/choices.h"
@@ -104,11 +105,12 @@ TEST(PaperTables, TheBestDeltaIsNotOneAtWhichTheRobotFell) {
 }
 
 TEST(Choices, AreSpelledRightAndDifferFromTheFirst) {
+  std::set<std::string> knobs;  // planning the motion takes long
   for (const Choice& choice : choices()) {
     EXPECT_NO_THROW(make_solver(choice.solver)) << choice.solver;
-    const std::string squat = choice.knobs.empty() ? "squat" : "squat:" + choice.knobs;
-    EXPECT_NO_THROW(make_scene(squat)) << squat;
+    if (!choice.knobs.empty()) knobs.insert(choice.knobs);
   }
+  for (const std::string& each : knobs) EXPECT_NO_THROW(make_scene("squat:" + each)) << each;
   EXPECT_EQ(choices().front().knobs, "");
   EXPECT_EQ(choices().front().solver, "best-first");
 }
