@@ -48,8 +48,8 @@ struct AssemblyOptions {
 ///     f = F tau - W (Q F tau + b_c - b_p - sigma),                        force on the child
 ///     Phi'_ij = Phi_ij - g_i W g_j',   b'_i = b_i + g_i f,
 ///
-/// all of g_i at the points of i, Q, T and f at the joint, where p and c are parent and child, T (6 x constraints) spans the forces a joint transmits,
-/// T'S = 0, and F its torques, S'F = 1. A prescribed or fixed joint transmits all, T = 1. A free
+/// g_i at the point of i, Q, T and f at the joint, where p and c are parent and child, T (6 x
+/// constraints) spans the forces a joint transmits, T'S = 0, and F its torques, S'F = 1. A prescribed or fixed joint transmits all, T = 1. A free
 /// link's joint transmits none and is never assembled. The world is a body with Phi = 0. The joint of
 /// a loop is closed by the same formula where both p and c belong to one assembly; where links may
 /// be held twice Gamma^-1 is the inverse on the range of Gamma, and the joint force the least of

@@ -41,6 +41,7 @@
 
 #include "solvers/linalg/basis.h"
 #include "solvers/linalg/complementary_path.h"
+#include "solvers/linalg/pivot_candidates.h"
 #include "solvers/linalg/polish.h"
 #include "solvers/linalg/ratio_test.h"
 #include "solvers/linalg/tableau.h"
@@ -132,51 +133,6 @@ struct Node {
   BasisKey key;  ///< Basis after the pivot, and the driving variable.
 };
 
-/// A row that may be pivoted on: Algorithm 2, lines 3-5.
-struct Candidate {
-  Index row;
-  double ratio;
-  std::int64_t cost;
-};
-
-/// The rows i with m'_i < -pivot whose pivot leaves min q' > -epsilon; `blocks(m_i)` says which
-/// sign of m'_i can block.
-///
-/// With theta_i = -q'_i / m'_i every q'_k + theta_i m'_k must stay above -epsilon. The values of
-/// theta that allow this for all k form an interval, found in one pass; q_min is then computed for
-/// the few rows inside.
-template <class Blocks>
-std::vector<Candidate> candidates_of(const VectorXd& q, const VectorXd& m, const Blocks& blocks,
-                                     const BestFirstOptions& options) {
-  double low = -options.epsilon, high = std::numeric_limits<double>::infinity();
-  for (Index k = 0; k < q.size(); ++k) {
-    if (m(k) == 0 && !(q(k) > -options.epsilon)) return {};
-    if (m(k) == 0) continue;
-    const double bound = -(q(k) + options.epsilon) / m(k);
-    if (m(k) < 0) {
-      high = std::min(high, bound);
-    } else {
-      low = std::max(low, bound);
-    }
-  }
-  std::vector<Candidate> candidates;
-  for (Index i = 0; i < q.size(); ++i) {
-    if (!blocks(m(i))) continue;
-    const double theta = -q(i) / m(i);
-    if (!(theta > low && theta < high)) continue;
-    double q_min = theta;
-    for (Index k = 0; k < q.size(); ++k)
-      if (k != i) q_min = std::min(q_min, q(k) + theta * m(k));
-    if (!(q_min > -options.epsilon)) continue;
-    double cost = std::expm1(-q_min);
-    if (options.order == Order::lexicographic) cost = std::max(0.0, cost);
-    std::int64_t units = std::llround(cost / options.cost_grid);
-    if (options.cost == Cost::printed) units += std::llround(1 / options.cost_grid);
-    candidates.push_back({i, theta, units});
-  }
-  return candidates;
-}
-
 template <class Dictionary>
 class Search {
  public:
@@ -188,6 +144,10 @@ class Search {
         alpha_(starting_alpha(problem, call)),
         dictionary_(scaled_, alpha_, options.pivoting),
         first_(dictionary_.labels().basic()),
+        pricing_{.epsilon = options.epsilon,
+                 .grid = options.cost_grid,
+                 .clean_is_free = options.order == Order::lexicographic,
+                 .as_printed = options.cost == Cost::printed},
         queue_(Later{&nodes_, options.ties}) {
     work_.start_pivots = static_cast<Index>(alpha_.size());
   }
@@ -240,7 +200,7 @@ class Search {
   void step0() {
     dictionary_.column(labels().z0(), m_);
     const auto positive = [](double m) { return m > 0; };
-    std::vector<Candidate> roots = candidates_of(dictionary_.q(), m_, positive, options_);
+    std::vector<PivotCandidate> roots = candidates_of(dictionary_.q(), m_, positive, pricing_);
     if (options_.step0 == Step0::argmin) {
       const VectorXd ratio = dictionary_.q().cwiseQuotient(m_);
       Index r;
@@ -250,7 +210,7 @@ class Search {
           if (ratio(i) <= least + options_.delta) r = i;
       roots = {{r, -ratio(r), 0}};
     }
-    for (const Candidate& root : roots)
+    for (const PivotCandidate& root : roots)
       append(no_node, labels().z0(), root, static_cast<Index>(roots.size()),
              BasisKey(labels(), -1));
   }
@@ -261,36 +221,37 @@ class Search {
     dictionary_.column(driving, m_);
     const double pivot = options_.pivoting.pivot;
     const auto blocks = [pivot](double m) { return m < -pivot; };
-    std::vector<Candidate> candidates = candidates_of(dictionary_.q(), m_, blocks, options_);
+    std::vector<PivotCandidate> candidates = candidates_of(dictionary_.q(), m_, blocks, pricing_);
     const Index z0_row = labels().row_of(labels().z0());
     const auto z0 = std::find_if(candidates.begin(), candidates.end(),
-                                 [=](const Candidate& c) { return c.row == z0_row; });
+                                 [=](const PivotCandidate& c) { return c.row == z0_row; });
     if (z0 != candidates.end()) {  // a solution: nothing else matters
-      candidates = {Candidate(*z0)};
+      candidates = {PivotCandidate(*z0)};
       // Nor may its q_min make it wait: whole levels of cost 0 would be searched first.
       if (options_.cost == Cost::excess) candidates.front().cost = 0;
     }
     if (options_.order == Order::lexicographic && candidates.size() > 1)
       put_lexicographic_choice_first(candidates);
     if (options_.order == Order::pivot)
-      std::stable_sort(
-          candidates.begin(), candidates.end(),
-          [this](const Candidate& a, const Candidate& b) { return m_(a.row) < m_(b.row); });
+      std::stable_sort(candidates.begin(), candidates.end(),
+                       [this](const PivotCandidate& a, const PivotCandidate& b) {
+                         return m_(a.row) < m_(b.row);
+                       });
     const BasisKey key = nodes_[x].key;  // nodes_ may move while it grows
-    for (const Candidate& candidate : candidates)
+    for (const PivotCandidate& candidate : candidates)
       append(x, driving, candidate, static_cast<Index>(candidates.size()), key);
   }
 
-  void put_lexicographic_choice_first(std::vector<Candidate>& candidates) {
+  void put_lexicographic_choice_first(std::vector<PivotCandidate>& candidates) {
     const Blocking choice = lexicographic_ratio_test(
         dictionary_, m_, first_, {options_.pivoting.pivot, options_.delta, options_.delta});
     const auto chosen = std::find_if(candidates.begin(), candidates.end(),
-                                     [&](const Candidate& c) { return c.row == choice.row; });
+                                     [&](const PivotCandidate& c) { return c.row == choice.row; });
     if (chosen != candidates.end()) std::rotate(candidates.begin(), chosen, chosen + 1);
   }
 
   /// Queues the pivot of `candidate` unless its basis was there with the same driving variable.
-  void append(Index parent, Variable entering, const Candidate& candidate, Index siblings,
+  void append(Index parent, Variable entering, const PivotCandidate& candidate, Index siblings,
               const BasisKey& before) {
     const Variable leaving = labels().basic(candidate.row);
     const Variable driving = leaving == labels().z0() ? -1 : labels().complement(leaving);
@@ -363,7 +324,8 @@ class Search {
   std::vector<Index> alpha_;
   Dictionary dictionary_;
   std::vector<Variable> first_;  ///< Basic variables of the first dictionary.
-  std::vector<Node> nodes_;      ///< Every node generated, in order.
+  Pricing pricing_;
+  std::vector<Node> nodes_;  ///< Every node generated, in order.
   std::priority_queue<Index, std::vector<Index>, Later> queue_;
   Visited visited_;
   Index opened_ = no_node;  ///< Node the dictionary stands at.
