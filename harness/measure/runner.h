@@ -62,10 +62,10 @@ struct Progress {
 /// from its first in any field is `wrong`, and the message says why.
 ///
 /// When `interrupted` becomes true the workers are killed and the function returns, after it has
-/// handed over the pairs that were finished; the others are given up. Exceptions of `finished` and `progress`
-/// (a full disk) kill the workers and pass through. Throws std::invalid_argument on a plan whose
-/// limits are not positive, whose shard does not exist or whose instances are malformed, std::system_error when the system
-/// refuses a worker.
+/// handed over the pairs that were finished; the others are given up. Exceptions of `finished` and
+/// `progress` (a full disk) kill the workers and pass through. Throws std::invalid_argument on a plan
+/// whose limits are not positive, whose shard does not exist or whose instances are malformed,
+/// std::system_error when the system refuses a worker.
 void run(const RunPlan& plan, const std::function<void(const Record&)>& finished,
          const std::function<void(const Progress&)>& progress,
          const std::atomic<bool>& interrupted);

@@ -20,11 +20,12 @@ std::string to_string(StartKind start);
 /// Throws std::invalid_argument with the list of what is allowed.
 StartKind start_kind_from_string(const std::string& name);
 
-/// Solves the islands (at least one) of a problem of size n apart and joins their results: the claim is that of
-/// the first island that fails, else `solved`; z, w, certificate and basis are put back into the
-/// problem's rows (NaN where an island returned no z or w of its size; no basis unless every island
-/// has one); work is summed; z0 is the largest in size, and the covering vector is scaled so that z0 c is
-/// each island's own. One island that holds every row gives exactly what the solver returned.
+/// Solves the islands (at least one) of a problem of size n apart and joins their results: the claim
+/// is that of the first island that fails, else `solved`; z, w, certificate and basis are put back
+/// into the problem's rows (NaN where an island returned no z or w of its size; no basis unless every
+/// island has one); work is summed; z0 is the largest in size, and the covering vector is scaled so
+/// that z0 c is each island's own. One island that holds every row gives exactly what the solver
+/// returned.
 ///
 /// `call` is in the problem's rows and numbering, and so is what its observer sees, but node numbers
 /// begin anew in each island.

@@ -49,11 +49,12 @@ struct AssemblyOptions {
 ///     Phi'_ij = Phi_ij - g_i W g_j',   b'_i = b_i + g_i f,
 ///
 /// g_i at the point of i, Q, T and f at the joint, where p and c are parent and child, T (6 x
-/// constraints) spans the forces a joint transmits, T'S = 0, and F its torques, S'F = 1. A prescribed or fixed joint transmits all, T = 1. A free
-/// link's joint transmits none and is never assembled. The world is a body with Phi = 0. The joint of
-/// a loop is closed by the same formula where both p and c belong to one assembly; where links may
-/// be held twice Gamma^-1 is the inverse on the range of Gamma, and the joint force the least of
-/// those that hold, each component measured by how the two bodies by themselves would answer to it.
+/// constraints) spans the forces a joint transmits, T'S = 0, and F its torques, S'F = 1. A prescribed
+/// or fixed joint transmits all, T = 1. A free link's joint transmits none and is never assembled.
+/// The world is a body with Phi = 0. The joint of a loop is closed by the same formula where both p
+/// and c belong to one assembly; where links may be held twice Gamma^-1 is the inverse on the range
+/// of Gamma, and the joint force the least of those that hold, each component measured by how the two
+/// bodies by themselves would answer to it.
 ///
 /// Source: K. Yamane, Y. Nakamura, "Efficient Parallel Dynamics Computation of Human Figures", ICRA
 /// 2002; R. Featherstone, IJRR 18 (1999), 867-892. Cost: per joint O(h^2) products of 6 x 6 blocks
