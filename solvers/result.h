@@ -58,9 +58,10 @@ struct Result {
   Work work;
 };
 
-/// A starting basis: the rows i whose z_i is basic.
+/// Where to start: a basis for methods that pivot, a point for those that approach a solution.
 struct Start {
-  std::vector<Index> alpha;
+  std::vector<Index> alpha;  ///< The rows i whose z_i is basic.
+  VectorXd z = {};           ///< n, or empty where only a basis is known.
 };
 
 /// One basis change, for traces. Variables are w_i = i, z_i = n + i, z0 = 2n.
