@@ -58,10 +58,9 @@ struct Result {
   Work work;
 };
 
-/// Where to start: a basis for methods that pivot, a point for those that approach a solution.
+/// A starting basis: the rows i whose z_i is basic.
 struct Start {
-  std::vector<Index> alpha;  ///< The rows i whose z_i is basic.
-  VectorXd z = {};           ///< n, or empty where only a basis is known.
+  std::vector<Index> alpha;
 };
 
 /// One basis change, for traces. Variables are w_i = i, z_i = n + i, z0 = 2n.
