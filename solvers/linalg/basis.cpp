@@ -1,10 +1,19 @@
 #include "solvers/linalg/basis.h"
 
 #include <algorithm>
+#include <limits>
 
+#include "solvers/linalg/columns.h"
 #include "solvers/linalg/start.h"
 
 namespace lcp {
+
+namespace {
+
+/// error_within() computes the error where its estimate is not this much smaller than what is asked.
+constexpr double kTrust = 1000;
+
+}  // namespace
 
 Basis::Basis(const ScaledProblem& problem, const std::vector<Index>& alpha,
              const PivotingOptions& options)
@@ -12,14 +21,13 @@ Basis::Basis(const ScaledProblem& problem, const std::vector<Index>& alpha,
       alpha_(alpha),
       refactor_every_(options.refactor_every),
       labels_(problem.size(), alpha),
-      factored_(labels_),
-      covering_(covering_of(problem, alpha)) {
+      factored_(labels_) {
   factorise(options.pivot);
 }
 
-Eigen::Ref<const VectorXd> Basis::data_column(Variable v) const {
-  if (v == factored_.z0()) return covering_;
-  return problem_.M().col(factored_.index(v));
+const VectorXd& Basis::covering() const {
+  if (covering_.size() == 0) covering_ = covering_of(problem_, alpha_);
+  return covering_;
 }
 
 void Basis::solve_kernel(VectorXd& b) const {
@@ -31,61 +39,109 @@ void Basis::solve_kernel(VectorXd& b) const {
 
 void Basis::factorise(double pivot_tolerance) {
   const Index n = problem_.size();
-  etas_.clear();
+  pivots_ = 0;
+  drift_ = 0;
+  growth_ = 1;
+  kernel_error_ = 0;
   factored_ = labels_;
   R_.clear();
   A_rows_.clear();
+  A_columns_.clear();
+  z0_place_ = -1;
+  w_of_row_.resize(n);
   for (Index i = 0; i < n; ++i) {
     if (!factored_.is_basic(factored_.w(i))) R_.push_back(i);
-    if (!factored_.is_w(factored_.basic(i))) A_rows_.push_back(i);
+    const Variable v = factored_.basic(i);
+    w_of_row_[i] = factored_.is_w(v) ? v : 0;
+    if (factored_.is_w(v)) continue;
+    if (v == factored_.z0()) {
+      z0_place_ = static_cast<Index>(A_rows_.size());
+    } else {
+      A_columns_.push_back(factored_.index(v));
+    }
+    A_rows_.push_back(i);
   }
   const Index k = static_cast<Index>(R_.size());
-  columns_.resize(n, k);
-  for (Index a = 0; a < k; ++a) columns_.col(a) = data_column(factored_.basic(A_rows_[a]));
   q_ = problem_.q();
-  kernel_error_.resize(k);
   usable_ = true;
   if (k == 0) return;
 
-  lu_.compute(columns_(R_, Eigen::all));
+  MatrixXd kernel(k, k);
+  for (Index a = 0, j = 0; a < k; ++a) {
+    if (a == z0_place_) {
+      kernel.col(a) = covering()(R_);
+      continue;
+    }
+    const double* const column = problem_.stored().col(A_columns_[j]).data();
+    const double scale = problem_.column_scale(A_columns_[j++]);
+    for (Index r = 0; r < k; ++r)
+      kernel(r, a) = column[R_[r]] * scale * problem_.row_scales()(R_[r]);
+  }
+  lu_.compute(kernel);
   ++factorisations_;
   usable_ = smallest_pivot(lu_.matrixLU()) > pivot_tolerance;
   if (!usable_) return;
-  VectorXd x = problem_.q()(R_);
-  solve_kernel(x);
-  VectorXd y = problem_.q();
-  y.noalias() += columns_ * x;
-  kernel_error_ = y(R_);
-  for (Index row = 0; row < n; ++row)
-    if (factored_.is_w(factored_.basic(row))) q_(row) = y(factored_.basic(row));
-  q_(A_rows_) = x;
+  x_ = problem_.q()(R_);
+  solve_kernel(x_);
+  product(x_, -1, y_);
+  y_ += problem_.q();
+  for (const Index i : R_) kernel_error_ = std::max(kernel_error_, std::abs(y_(i)));
+  spread(y_, x_, q_);
 }
 
-VectorXd Basis::kernel_part(Variable v) const {
-  VectorXd x;
-  if (factored_.is_w(v)) {
-    x.resize(static_cast<Index>(R_.size()));
-    for (Index r = 0; r < x.size(); ++r) x(r) = R_[r] == v ? -1 : 0;
-  } else {
-    x = data_column(v)(R_);
+void Basis::product(const VectorXd& x, Index j, VectorXd& y) {
+  const Index k = x.size();
+  coefficients_.resize(k + 1);
+  Index count = 0;
+  for (Index a = 0; a < k; ++a)
+    if (a != z0_place_) {
+      coefficients_(count) = x(a) * problem_.column_scale(A_columns_[count]);
+      ++count;
+    }
+  if (j >= 0) {
+    A_columns_.push_back(j);
+    coefficients_(count) = problem_.column_scale(j);
   }
-  if (x.size() > 0) solve_kernel(x);
-  return x;
+  y.setZero(problem_.size());
+  add_columns(problem_.stored(), A_columns_, coefficients_.data(), y);
+  y.array() *= problem_.row_scales().array();
+  if (j >= 0) A_columns_.pop_back();
+  if (z0_place_ >= 0) y += x(z0_place_) * covering();
 }
 
-void Basis::factored_column(Variable v, VectorXd& out) const {
+void Basis::spread(const VectorXd& y, const VectorXd& x, VectorXd& out) const {
   const Index n = problem_.size();
-  const VectorXd x = kernel_part(v);
-  VectorXd y = factored_.is_w(v) ? VectorXd(VectorXd::Zero(n)) : VectorXd(data_column(v));
-  y.noalias() += columns_ * x;
   out.resize(n);
-  for (Index row = 0; row < n; ++row)
-    if (factored_.is_w(factored_.basic(row))) out(row) = y(factored_.basic(row));
-  out(A_rows_) = x;
+  for (Index row = 0; row < n; ++row) out(row) = y(w_of_row_[row]);
+  for (Index a = 0; a < x.size(); ++a) out(A_rows_[a]) = x(a);
+}
+
+void Basis::kernel_part(Variable v, VectorXd& x) const {
+  const Index k = static_cast<Index>(R_.size());
+  x.resize(k);
+  if (factored_.is_w(v)) {
+    for (Index r = 0; r < k; ++r) x(r) = R_[r] == v ? -1 : 0;
+  } else if (v == factored_.z0()) {
+    for (Index r = 0; r < k; ++r) x(r) = covering()(R_[r]);
+  } else {
+    const Index j = factored_.index(v);
+    const double scale = problem_.column_scale(j);
+    for (Index r = 0; r < k; ++r)
+      x(r) = problem_.stored()(R_[r], j) * scale * problem_.row_scales()(R_[r]);
+  }
+  if (k > 0) solve_kernel(x);
+}
+
+void Basis::factored_column(Variable v, VectorXd& out) {
+  kernel_part(v, x_);
+  const bool of_M = !factored_.is_w(v) && v != factored_.z0();
+  product(x_, of_M ? factored_.index(v) : -1, y_);
+  if (v == factored_.z0()) y_ += covering();
+  spread(y_, x_, out);
 }
 
 Index Basis::last_left(Variable v) const {
-  for (Index t = static_cast<Index>(etas_.size()); t-- > 0;)
+  for (Index t = pivots_; t-- > 0;)
     if (etas_[t].left == v) return t;
   return -1;
 }
@@ -98,18 +154,28 @@ VectorXd Basis::entries_after_leaving(const Eta& eta, const std::vector<Index>& 
   return entries;
 }
 
-void Basis::factored_entries(Variable v, const std::vector<Index>& rows, VectorXd& out) const {
-  const VectorXd x = kernel_part(v);
+void Basis::factored_entries(Variable v, const std::vector<Index>& rows, VectorXd& out) {
+  kernel_part(v, x_);
   out.resize(static_cast<Index>(rows.size()));
+  const bool of_M = !factored_.is_w(v) && v != factored_.z0();
+  const Index j = of_M ? factored_.index(v) : 0;
   for (Index t = 0; t < out.size(); ++t) {
     const Variable basic = factored_.basic(rows[t]);
-    if (factored_.is_w(basic)) {
-      const double own = factored_.is_w(v) ? 0 : data_column(v)(basic);
-      out(t) = own + columns_.row(basic).dot(x);
-    } else {
+    if (!factored_.is_w(basic)) {
       const auto place = std::lower_bound(A_rows_.begin(), A_rows_.end(), rows[t]);
-      out(t) = x(place - A_rows_.begin());
+      out(t) = x_(place - A_rows_.begin());
+      continue;
     }
+    double sum = of_M ? problem_.stored()(basic, j) * problem_.column_scale(j) : 0;
+    Index a = 0;
+    for (std::size_t c = 0; c < A_columns_.size(); ++c, ++a) {
+      if (a == z0_place_) ++a;
+      sum += x_(a) * problem_.column_scale(A_columns_[c]) *
+             problem_.stored()(basic, A_columns_[c]);
+    }
+    out(t) = sum * problem_.row_scales()(basic);
+    if (z0_place_ >= 0) out(t) += x_(z0_place_) * covering()(basic);
+    if (v == factored_.z0()) out(t) += covering()(basic);
   }
 }
 
@@ -123,9 +189,10 @@ void Basis::column(Variable v, VectorXd& out) {
     out = inverse * eta.column;
     out(eta.pivot.row) = inverse;
   }
-  for (++next; next < static_cast<Index>(etas_.size()); ++next) {
+  for (++next; next < pivots_; ++next) {
     const Eta& eta = etas_[next];
     const Index r = eta.pivot.row;
+    if (out(r) == 0) continue;
     const double theta = -out(r) / eta.column(r);
     out += theta * eta.column;
     out(r) = theta;
@@ -134,10 +201,9 @@ void Basis::column(Variable v, VectorXd& out) {
 
 void Basis::entries(Variable v, const std::vector<Index>& rows, VectorXd& out) {
   const Index asked = static_cast<Index>(rows.size());
-  const Index pivots = static_cast<Index>(etas_.size());
   // The rows asked for, then the pivot rows of the etas, on whose entries the others depend.
   std::vector<Index> followed = rows;
-  for (const Eta& eta : etas_) followed.push_back(eta.pivot.row);
+  for (Index t = 0; t < pivots_; ++t) followed.push_back(etas_[t].pivot.row);
 
   Index next = last_left(v);
   if (next < 0) {
@@ -145,10 +211,11 @@ void Basis::entries(Variable v, const std::vector<Index>& rows, VectorXd& out) {
   } else {
     out = entries_after_leaving(etas_[next], followed);
   }
-  for (++next; next < pivots; ++next) {
+  for (++next; next < pivots_; ++next) {
     const Eta& eta = etas_[next];
+    if (out(asked + next) == 0) continue;
     const double theta = -out(asked + next) / eta.column(eta.pivot.row);
-    for (Index t = 0; t < asked + pivots; ++t) {
+    for (Index t = 0; t < asked + pivots_; ++t) {
       const Index row = followed[t];
       out(t) = row == eta.pivot.row ? theta : out(t) + theta * eta.column(row);
     }
@@ -158,14 +225,21 @@ void Basis::entries(Variable v, const std::vector<Index>& rows, VectorXd& out) {
 
 Variable Basis::pivot(const Pivot& pivot, const VectorXd& column) {
   const Variable leaving = labels_.exchange(pivot);
-  if (static_cast<Index>(etas_.size()) + 1 >= refactor_every_) {
+  if (pivots_ + 1 >= refactor_every_) {
     factorise(0);
     return leaving;
   }
   const double theta = -q_(pivot.row) / column(pivot.row);
   q_ += theta * column;
   q_(pivot.row) = theta;
-  etas_.push_back({pivot, leaving, column});
+  if (pivots_ == static_cast<Index>(etas_.size())) etas_.emplace_back();
+  etas_[pivots_].pivot = pivot;
+  etas_[pivots_].left = leaving;
+  etas_[pivots_].column = column;
+  ++pivots_;
+  const double largest = column.lpNorm<Eigen::Infinity>();
+  growth_ = std::max({growth_, largest, largest / std::abs(column(pivot.row))});
+  drift_ += std::numeric_limits<double>::epsilon() * (1 + std::abs(theta)) * growth_;
   return leaving;
 }
 
@@ -176,17 +250,30 @@ void Basis::rebuild(const std::vector<Pivot>& path) {
 }
 
 double Basis::error() const {
-  if (etas_.empty()) return kernel_error_.size() > 0 ? kernel_error_.lpNorm<Eigen::Infinity>() : 0;
-  VectorXd residual = problem_.q();
+  if (pivots_ == 0) return kernel_error_;
+  VectorXd sum = VectorXd::Zero(problem_.size());
+  std::vector<Index> columns;
+  std::vector<double> coefficients;
+  VectorXd rest = problem_.q();
   for (Index row = 0; row < problem_.size(); ++row) {
     const Variable v = labels_.basic(row);
     if (labels_.is_w(v)) {
-      residual(v) -= q_(row);
+      rest(v) -= q_(row);
+    } else if (v == labels_.z0()) {
+      rest += q_(row) * covering();
     } else {
-      residual += q_(row) * data_column(v);
+      columns.push_back(labels_.index(v));
+      coefficients.push_back(q_(row) * problem_.column_scale(labels_.index(v)));
     }
   }
-  return residual.lpNorm<Eigen::Infinity>();
+  add_columns(problem_.stored(), columns, coefficients.data(), sum);
+  return (sum.cwiseProduct(problem_.row_scales()) + rest).lpNorm<Eigen::Infinity>();
+}
+
+bool Basis::error_within(double e_max) const {
+  if (pivots_ == 0) return kernel_error_ <= e_max;
+  if (kTrust * (kernel_error_ + drift_) <= e_max) return true;
+  return error() <= e_max;
 }
 
 }  // namespace lcp

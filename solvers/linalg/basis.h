@@ -16,6 +16,8 @@ namespace lcp {
 /// n^2. The kernel is factorised afresh every `refactor_every` pivots; in between, columns of the
 /// last factorised dictionary are carried through the pivots since (product form, n each). With
 /// refactor_every = 1 no rounding outlives a pivot: the error is that of one LU solve.
+///
+/// Columns are read where the problem holds them, and products are scaled as they come out.
 class Basis {
  public:
   /// As for `Tableau`.
@@ -33,7 +35,10 @@ class Basis {
   /// |w - M z - q - z0 c|_inf of the basic solution: only the rows R can be off, since the other w
   /// are computed from z. After a fresh factorisation it is known without further work.
   double error() const;
-  const VectorXd& covering() const { return covering_; }
+  /// Whether error() <= e_max. Between factorisations a running estimate answers (see Eta) unless it
+  /// comes within a factor of 1000 of e_max; then error() is computed.
+  bool error_within(double e_max) const;
+  const VectorXd& covering() const;
 
   Index factorisations() const { return factorisations_; }
   Index replayed() const { return 0; }
@@ -51,31 +56,39 @@ class Basis {
   Index refactor_every_;
   Labels labels_;
   Labels factored_;  ///< Labels when the kernel was factorised.
-  VectorXd covering_;
+  mutable VectorXd covering_;  ///< Empty until asked for.
   VectorXd q_;
-  std::vector<Index> R_;  ///< Rows whose w was nonbasic then, ascending.
-  std::vector<Index>
-      A_rows_;        ///< Dictionary rows of the z (and z0) that were basic then, ascending.
-  MatrixXd columns_;  ///< n x k: M_.A.
+  std::vector<Index> R_;       ///< Rows whose w was nonbasic then, ascending.
+  std::vector<Index> A_rows_;  ///< Dictionary rows of the basic z (and z0) then, ascending.
+  std::vector<Index> A_columns_;   ///< Their columns of M, in that order, without z0.
+  Index z0_place_ = -1;            ///< Place of z0 in A_rows_, or -1.
+  std::vector<Index> w_of_row_;    ///< Row i held w of this index then; 0 for the rows A.
   Eigen::PartialPivLU<MatrixXd> lu_;
-  VectorXd kernel_error_;  ///< q_R + M_RA x_A of the last factorisation.
-  std::vector<Eta> etas_;
+  double kernel_error_ = 0;  ///< |q_R + M_RA x_A|_inf of the last factorisation.
+  double drift_ = 0;         ///< Estimate of what the pivots since have added to it: the sum of
+                             ///< machine epsilon (1 + |theta|) growth_.
+  double growth_ = 1;        ///< Largest |m'|_inf and |m'|_inf / |m'_s| since.
+  std::vector<Eta> etas_;    ///< The first `pivots_` are in use; the others keep their memory.
+  Index pivots_ = 0;
   bool usable_ = true;
   Index factorisations_ = 0;
+  VectorXd x_, y_, coefficients_;  ///< Room to work in.
 
   /// Factorises the kernel of labels_; not usable unless every pivot of its LU is larger than
   /// `pivot_tolerance`.
   void factorise(double pivot_tolerance);
   /// Solves M_RA x_A = -b_R, where b_R comes as `b` and x_A goes.
   void solve_kernel(VectorXd& b) const;
-  /// Column of M or c that belongs to z_j or z0.
-  Eigen::Ref<const VectorXd> data_column(Variable v) const;
+  /// y = b + M_.A x_A, where b is M_.j if j >= 0, else 0.
+  void product(const VectorXd& x, Index j, VectorXd& y);
+  /// out = y in the rows of w, x in the others.
+  void spread(const VectorXd& y, const VectorXd& x, VectorXd& out) const;
   /// x_A for the column of `v` in the factorised dictionary.
-  VectorXd kernel_part(Variable v) const;
+  void kernel_part(Variable v, VectorXd& x) const;
   /// Column of `v` in the factorised dictionary.
-  void factored_column(Variable v, VectorXd& out) const;
+  void factored_column(Variable v, VectorXd& out);
   /// Its entries in the given rows, one dot product of length k each.
-  void factored_entries(Variable v, const std::vector<Index>& rows, VectorXd& out) const;
+  void factored_entries(Variable v, const std::vector<Index>& rows, VectorXd& out);
   /// The column of the variable that left by `eta`, just after: that of the one which replaced it,
   /// divided by the pivot.
   static VectorXd entries_after_leaving(const Eta& eta, const std::vector<Index>& rows);

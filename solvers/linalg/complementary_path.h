@@ -9,7 +9,7 @@
 namespace lcp {
 
 /// The answer that a dictionary stands for, in the problem's own units: the basic variables are q',
-/// the others 0. Numbers that are not finite give z = 0 and the claim `singular` instead.
+/// the others 0. `covering` is empty where z0 is nonbasic. Numbers that are not finite give z = 0 and the claim `singular` instead.
 Result basic_result(const ScaledProblem& problem, const Labels& labels, const VectorXd& q,
                     const VectorXd& covering, Claim claim, std::string message);
 
@@ -17,7 +17,9 @@ Result basic_result(const ScaledProblem& problem, const Labels& labels, const Ve
 template <class Dictionary>
 Result basic_result(const ScaledProblem& problem, const Dictionary& dictionary, const Work& work,
                     Claim claim, std::string message) {
-  Result result = basic_result(problem, dictionary.labels(), dictionary.q(), dictionary.covering(),
+  const Labels& labels = dictionary.labels();
+  Result result = basic_result(problem, labels, dictionary.q(),
+                               labels.is_basic(labels.z0()) ? dictionary.covering() : VectorXd(),
                                claim, std::move(message));
   result.work = work;
   result.work.factorisations += dictionary.factorisations();

@@ -34,6 +34,7 @@ class Tableau {
   void rebuild(const std::vector<Pivot>& path);
   /// |w - M z - q - z0 c|_inf of the basic solution, in the scale worked in: one product with M.
   double error() const;
+  bool error_within(double e_max) const { return error() <= e_max; }
   /// c in original rows.
   const VectorXd& covering() const { return covering_; }
 

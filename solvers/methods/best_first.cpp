@@ -288,7 +288,7 @@ class Search {
     if (call_.observer)
       call_.observer({x + 1, node.parent + 1, node.pivot.row, node.pivot.entering, node.leaving,
                       node.ratio, node.pivot_size, node.siblings, &labels().basic()});
-    return dictionary_.usable() && dictionary_.error() <= options_.e_max &&
+    return dictionary_.usable() && dictionary_.error_within(options_.e_max) &&
            dictionary_.q().minCoeff() > -options_.epsilon;
   }
 
