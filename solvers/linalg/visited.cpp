@@ -1,5 +1,7 @@
 #include "solvers/linalg/visited.h"
 
+#include <algorithm>
+
 namespace lcp {
 
 namespace {
@@ -25,13 +27,10 @@ BasisKey::BasisKey(const Labels& labels, Variable next) : z_basic(labels.size() 
   set_entering(next);
 }
 
-BasisKey BasisKey::after(const Labels& labels, Variable entered, Variable left,
-                         Variable next) const {
-  BasisKey key = *this;
-  key.flip(labels, entered);
-  key.flip(labels, left);
-  key.set_entering(next);
-  return key;
+void BasisKey::follow(const Labels& labels, Variable entered, Variable left, Variable next) {
+  flip(labels, entered);
+  flip(labels, left);
+  set_entering(next);
 }
 
 void BasisKey::flip(const Labels& labels, Variable v) {
@@ -47,16 +46,28 @@ void BasisKey::set_entering(Variable next) {
   if (entering >= 0) hash ^= entering_number(entering);
 }
 
-bool Visited::contains(const BasisKey& key) const {
-  const auto [begin, end] = keys_.equal_range(key.hash);
-  for (auto known = begin; known != end; ++known)
-    if (known->second.entering == key.entering && known->second.z_basic == key.z_basic) return true;
-  return false;
+std::size_t Visited::slot_of(const BasisKey& key) const {
+  const std::size_t mask = slots_.size() - 1;
+  for (std::size_t slot = key.hash & mask;; slot = (slot + 1) & mask) {
+    if (slots_[slot] == 0) return slot;
+    const BasisKey& known = keys_[slots_[slot] - 1];
+    if (known.hash == key.hash && known.entering == key.entering && known.z_basic == key.z_basic)
+      return slot;
+  }
+}
+
+void Visited::grow() {
+  slots_.assign(std::max<std::size_t>(64, 2 * slots_.size()), 0);
+  for (std::size_t number = 0; number < keys_.size(); ++number)
+    slots_[slot_of(keys_[number])] = static_cast<std::int32_t>(number + 1);
 }
 
 bool Visited::insert(const BasisKey& key) {
-  if (contains(key)) return false;
-  keys_.emplace(key.hash, key);
+  if (2 * keys_.size() >= slots_.size()) grow();
+  const std::size_t slot = slot_of(key);
+  if (slots_[slot] != 0) return false;
+  keys_.push_back(key);
+  slots_[slot] = static_cast<std::int32_t>(keys_.size());
   return true;
 }
 

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <cstdint>
-#include <unordered_map>
 #include <vector>
 
 #include "solvers/linalg/labels.h"
@@ -17,23 +16,29 @@ struct BasisKey {
   std::uint64_t hash = 0;
 
   BasisKey(const Labels& labels, Variable next);
-  /// The key after one more pivot, O(1) hashing.
-  BasisKey after(const Labels& labels, Variable entered, Variable left, Variable next) const;
+  /// Makes this the key after one more pivot, O(1) hashing.
+  void follow(const Labels& labels, Variable entered, Variable left, Variable next);
 
  private:
   void flip(const Labels& labels, Variable v);
   void set_entering(Variable next);
 };
 
-/// The keys seen so far. A hash that is known is confirmed by comparing the bases.
+/// The keys seen so far, numbered in order. A hash that is known is confirmed by comparing the bases.
 class Visited {
  public:
   /// False if the key was there already.
   bool insert(const BasisKey& key);
-  bool contains(const BasisKey& key) const;
+  const BasisKey& key(Index number) const { return keys_[number]; }
+  Index size() const { return static_cast<Index>(keys_.size()); }
 
  private:
-  std::unordered_multimap<std::uint64_t, BasisKey> keys_;  // looked up, never iterated
+  std::vector<BasisKey> keys_;
+  std::vector<std::int32_t> slots_;  ///< Open addressing by hash: number + 1, or 0; a power of two.
+
+  /// Slot of the key, or the free one where it belongs.
+  std::size_t slot_of(const BasisKey& key) const;
+  void grow();
 };
 
 }  // namespace lcp

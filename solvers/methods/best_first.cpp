@@ -121,16 +121,40 @@ constexpr Index no_node = -1;
 /// epsilon: there every candidate costs nothing, and the deepest comes first.
 constexpr double kWiden = 100, kWidest = 100;
 
+/// A pivot that was carried out.
 struct Node {
   Index parent;
   Index depth;
   Pivot pivot;
   Variable leaving;
   std::int64_t cost;  ///< totalCost in units of cost_grid.
-  double ratio;       ///< For the observer.
+  Index number;       ///< In order of generation, from 1.
+  Index key;          ///< Number of its basis and driving variable among those visited.
+};
+
+/// A candidate of a node, not opened yet.
+struct Child {
+  Index row;
+  Variable leaving;
+  double ratio;  ///< For the observer.
   double pivot_size;
+  std::int64_t cost;  ///< Of this pivot alone.
+  Index number;
+};
+
+/// The candidates of one node, children_[next] ... [end - 1] still waiting, best first.
+struct Siblings {
+  Index parent;
+  Variable entering;
+  Index next, end;
+  Index count;
+};
+
+/// The best of the siblings that wait; the others follow when it is taken.
+struct Waiting {
+  std::int64_t cost;
+  Index depth;
   Index siblings;
-  BasisKey key;  ///< Basis after the pivot, and the driving variable.
 };
 
 template <class Dictionary>
@@ -148,7 +172,7 @@ class Search {
                  .grid = options.cost_grid,
                  .clean_is_free = options.order == Order::lexicographic,
                  .as_printed = options.cost == Cost::printed},
-        queue_(Later{&nodes_, options.ties}) {
+        queue_(Later{options.ties}) {
     work_.start_pivots = static_cast<Index>(alpha_.size());
   }
 
@@ -163,33 +187,22 @@ class Search {
     while (!queue_.empty()) {
       if (work_.nodes == options_.max_nodes)
         return finish(Claim::limit, fmt::format("max_nodes={} reached", options_.max_nodes));
-      const Index x = queue_.top();
-      queue_.pop();
-      if (!open(x)) continue;
-      if (nodes_[x].leaving == labels().z0()) return finish(Claim::solved, "");
-      add_descendants(x);
+      if (!open_next()) continue;
+      if (nodes_[opened_].leaving == labels().z0()) return finish(Claim::solved, "");
+      add_descendants();
     }
     return finish(Claim::exhausted, "no pivot candidate is left");
   }
 
  private:
-  /// Orders the queue: x after y. A node's number grows with its time of generation.
+  /// Orders the queue: a after b. Siblings are numbered in order of generation.
   struct Later {
-    const std::vector<Node>* nodes;
     Ties ties;
 
-    bool operator()(Index x, Index y) const {
-      const Node &a = (*nodes)[x], &b = (*nodes)[y];
+    bool operator()(const Waiting& a, const Waiting& b) const {
       if (a.cost != b.cost) return a.cost > b.cost;
-      switch (ties) {
-        case Ties::deepest:
-          return std::tuple(-a.depth, x) > std::tuple(-b.depth, y);
-        case Ties::lifo:
-          return x < y;
-        case Ties::fifo:
-          return x > y;
-      }
-      return false;
+      if (ties == Ties::deepest && a.depth != b.depth) return a.depth < b.depth;
+      return ties == Ties::lifo ? a.siblings < b.siblings : a.siblings > b.siblings;
     }
   };
 
@@ -200,7 +213,7 @@ class Search {
   void step0() {
     dictionary_.column(labels().z0(), m_);
     const auto positive = [](double m) { return m > 0; };
-    std::vector<PivotCandidate> roots = candidates_of(dictionary_.q(), m_, positive, pricing_);
+    find_candidates(dictionary_.q(), m_, positive, pricing_, ratios_, candidates_);
     if (options_.step0 == Step0::argmin) {
       const VectorXd ratio = dictionary_.q().cwiseQuotient(m_);
       Index r;
@@ -208,77 +221,95 @@ class Search {
       if (options_.order == Order::lexicographic)  // the last of the tied rows is lexico-positive
         for (Index i = r + 1; i < ratio.size(); ++i)
           if (ratio(i) <= least + options_.delta) r = i;
-      roots = {{r, -ratio(r), 0}};
+      candidates_ = {{r, -ratio(r), 0}};
     }
-    for (const PivotCandidate& root : roots)
-      append(no_node, labels().z0(), root, static_cast<Index>(roots.size()),
-             BasisKey(labels(), -1));
+    append_candidates(labels().z0());
   }
 
   /// Algorithm 2.
-  void add_descendants(Index x) {
-    const Variable driving = labels().complement(nodes_[x].leaving);
+  void add_descendants() {
+    const Variable driving = labels().complement(nodes_[opened_].leaving);
     dictionary_.column(driving, m_);
     const double pivot = options_.pivoting.pivot;
     const auto blocks = [pivot](double m) { return m < -pivot; };
-    std::vector<PivotCandidate> candidates = candidates_of(dictionary_.q(), m_, blocks, pricing_);
+    find_candidates(dictionary_.q(), m_, blocks, pricing_, ratios_, candidates_);
     const Index z0_row = labels().row_of(labels().z0());
-    const auto z0 = std::find_if(candidates.begin(), candidates.end(),
+    const auto z0 = std::find_if(candidates_.begin(), candidates_.end(),
                                  [=](const PivotCandidate& c) { return c.row == z0_row; });
-    if (z0 != candidates.end()) {  // a solution: nothing else matters
-      candidates = {PivotCandidate(*z0)};
+    if (z0 != candidates_.end()) {  // a solution: nothing else matters
+      candidates_ = {PivotCandidate(*z0)};
       // Nor may its q_min make it wait: whole levels of cost 0 would be searched first.
-      if (options_.cost == Cost::excess) candidates.front().cost = 0;
+      if (options_.cost == Cost::excess) candidates_.front().cost = 0;
     }
-    if (options_.order == Order::lexicographic && candidates.size() > 1)
-      put_lexicographic_choice_first(candidates);
+    if (options_.order == Order::lexicographic && candidates_.size() > 1)
+      put_lexicographic_choice_first();
     if (options_.order == Order::pivot)
-      std::stable_sort(candidates.begin(), candidates.end(),
+      std::stable_sort(candidates_.begin(), candidates_.end(),
                        [this](const PivotCandidate& a, const PivotCandidate& b) {
                          return m_(a.row) < m_(b.row);
                        });
-    const BasisKey key = nodes_[x].key;  // nodes_ may move while it grows
-    for (const PivotCandidate& candidate : candidates)
-      append(x, driving, candidate, static_cast<Index>(candidates.size()), key);
+    append_candidates(driving);
   }
 
-  void put_lexicographic_choice_first(std::vector<PivotCandidate>& candidates) {
+  void put_lexicographic_choice_first() {
     const Blocking choice = lexicographic_ratio_test(
         dictionary_, m_, first_, {options_.pivoting.pivot, options_.delta, options_.delta});
-    const auto chosen = std::find_if(candidates.begin(), candidates.end(),
+    const auto chosen = std::find_if(candidates_.begin(), candidates_.end(),
                                      [&](const PivotCandidate& c) { return c.row == choice.row; });
-    if (chosen != candidates.end()) std::rotate(candidates.begin(), chosen, chosen + 1);
+    if (chosen != candidates_.end()) std::rotate(candidates_.begin(), chosen, chosen + 1);
   }
 
-  /// Queues the pivot of `candidate` unless its basis was there with the same driving variable.
-  void append(Index parent, Variable entering, const PivotCandidate& candidate, Index siblings,
-              const BasisKey& before) {
-    const Variable leaving = labels().basic(candidate.row);
-    const Variable driving = leaving == labels().z0() ? -1 : labels().complement(leaving);
-    BasisKey key = before.after(labels(), entering, leaving, driving);
-    if (!visited_.insert(key)) return;
-    const Index depth = parent == no_node ? 1 : nodes_[parent].depth + 1;
-    const std::int64_t cost = candidate.cost + (parent == no_node ? 0 : nodes_[parent].cost);
-    nodes_.push_back({parent,
-                      depth,
-                      {candidate.row, entering},
-                      leaving,
-                      cost,
-                      candidate.ratio,
-                      m_(candidate.row),
-                      siblings,
-                      std::move(key)});
-    queue_.push(static_cast<Index>(nodes_.size()) - 1);
-    work_.largest_queue = std::max(work_.largest_queue, static_cast<Index>(queue_.size()));
+  /// The candidates of the node that is open become its children; the best is queued.
+  void append_candidates(Variable entering) {
+    if (candidates_.empty()) return;
+    const Index begin = static_cast<Index>(children_.size());
+    for (const PivotCandidate& candidate : candidates_)
+      children_.push_back({candidate.row, labels().basic(candidate.row), candidate.ratio,
+                           m_(candidate.row), candidate.cost, ++work_.generated});
+    if (options_.ties == Ties::lifo) std::reverse(children_.begin() + begin, children_.end());
+    std::stable_sort(children_.begin() + begin, children_.end(),
+                     [](const Child& a, const Child& b) { return a.cost < b.cost; });
+    const Index count = static_cast<Index>(candidates_.size());
+    siblings_.push_back({opened_, entering, begin, begin + count, count});
+    waiting_ += count;
+    work_.largest_queue = std::max(work_.largest_queue, waiting_);
+    queue_next(static_cast<Index>(siblings_.size()) - 1);
   }
 
-  /// Brings the dictionary to node x; false if the branch ends here for want of accuracy. q_min is
+  void queue_next(Index family) {
+    const Siblings& siblings = siblings_[family];
+    if (siblings.next == siblings.end) return;
+    queue_.push({cost_of(siblings.parent) + children_[siblings.next].cost,
+                 depth_of(siblings.parent) + 1, family});
+  }
+
+  std::int64_t cost_of(Index x) const { return x == no_node ? 0 : nodes_[x].cost; }
+  Index depth_of(Index x) const { return x == no_node ? 0 : nodes_[x].depth; }
+
+  /// Takes the best pivot that waits and brings the dictionary there. False if its basis was opened
+  /// before with the same driving variable, or if the branch ends here for want of accuracy. q_min is
   /// checked again: a nearly singular pivot can pass on its parent's numbers, leave no error in
   /// w - M z - q, and yet have a q' far below zero once its basis is factorised.
-  bool open(Index x) {
-    const Node& node = nodes_[x];
-    if (node.parent == opened_) {
-      dictionary_.pivot(node.pivot, m_);
+  bool open_next() {
+    const Waiting best = queue_.top();
+    queue_.pop();
+    Siblings& siblings = siblings_[best.siblings];
+    const Child child = children_[siblings.next++];
+    const Index parent = siblings.parent, count = siblings.count;
+    const Variable entering = siblings.entering;
+    queue_next(best.siblings);
+    --waiting_;
+
+    key_ = parent == no_node ? first_key_ : visited_.key(nodes_[parent].key);
+    key_.follow(labels(), entering, child.leaving,
+                child.leaving == labels().z0() ? -1 : labels().complement(child.leaving));
+    if (!visited_.insert(key_)) return false;
+
+    const Index x = static_cast<Index>(nodes_.size());
+    nodes_.push_back({parent, depth_of(parent) + 1, {child.row, entering}, child.leaving, best.cost,
+                      child.number, visited_.size() - 1});
+    if (parent == opened_) {
+      dictionary_.pivot(nodes_[x].pivot, m_);
     } else {
       dictionary_.rebuild(path_to(x));
     }
@@ -286,8 +317,9 @@ class Search {
     ++work_.nodes;
     ++work_.pivots;
     if (call_.observer)
-      call_.observer({x + 1, node.parent + 1, node.pivot.row, node.pivot.entering, node.leaving,
-                      node.ratio, node.pivot_size, node.siblings, &labels().basic()});
+      call_.observer({child.number, parent == no_node ? 0 : nodes_[parent].number, child.row,
+                      entering, child.leaving, child.ratio, child.pivot_size, count,
+                      &labels().basic()});
     return dictionary_.usable() && dictionary_.error_within(options_.e_max) &&
            dictionary_.q().minCoeff() > -options_.epsilon;
   }
@@ -309,7 +341,6 @@ class Search {
   }
 
   Result finish(Claim claim, std::string message) {
-    work_.generated = static_cast<Index>(nodes_.size());
     work_.path = opened_ == no_node ? 0 : nodes_[opened_].depth;
     Result result = basic_result(scaled_, dictionary_, work_, claim, std::move(message));
     if (result.claim == Claim::solved && options_.polish)
@@ -325,11 +356,18 @@ class Search {
   Dictionary dictionary_;
   std::vector<Variable> first_;  ///< Basic variables of the first dictionary.
   Pricing pricing_;
-  std::vector<Node> nodes_;  ///< Every node generated, in order.
-  std::priority_queue<Index, std::vector<Index>, Later> queue_;
+  std::vector<Node> nodes_;  ///< Every node opened, in order.
+  std::vector<Child> children_;
+  std::vector<Siblings> siblings_;
+  std::priority_queue<Waiting, std::vector<Waiting>, Later> queue_;
+  Index waiting_ = 0;  ///< Children not taken yet.
   Visited visited_;
+  BasisKey first_key_{dictionary_.labels(), -1};
+  BasisKey key_ = first_key_;
   Index opened_ = no_node;  ///< Node the dictionary stands at.
   VectorXd m_;              ///< m' there.
+  VectorXd ratios_;
+  std::vector<PivotCandidate> candidates_;
   Work work_;
 };
 
@@ -341,32 +379,33 @@ Work together(const Work& before, const Work& last) {
   return work;
 }
 
-/// The attempts before the last: on each cost grid in the order that is asked for, then in two others.
-std::vector<BestFirstOptions> short_attempts(const BestFirstOptions& options) {
-  std::vector<BestFirstOptions> attempts;
-  if (options.patience == 0) return attempts;
-  BestFirstOptions asked = options, ordered, tied;
-  asked.max_nodes = options.patience;
-  for (; asked.cost_grid < kWidest * options.epsilon; asked.cost_grid *= kWiden) {
-    ordered = tied = asked;
-    ordered.order = options.order == Order::lexicographic ? Order::pivot : Order::lexicographic;
-    tied.ties = options.ties == Ties::lifo ? Ties::deepest : Ties::lifo;
-    attempts.insert(attempts.end(), {asked, ordered, tied});
-  }
-  return attempts;
+/// The three orders in which an attempt takes nodes of equal cost: as asked, and two others.
+BestFirstOptions in_order(const BestFirstOptions& options, int order) {
+  BestFirstOptions other = options;
+  if (order == 1)
+    other.order = options.order == Order::lexicographic ? Order::pivot : Order::lexicographic;
+  if (order == 2) other.ties = options.ties == Ties::lifo ? Ties::deepest : Ties::lifo;
+  return other;
 }
 
+/// Attempts of `patience` nodes: on each cost grid in the three orders; then one in which all nodes left
+/// may be opened, as asked.
 template <class Dictionary>
 Result solve(const Problem& problem, const BestFirstOptions& options, const Call& call) {
   Work before;
-  for (const BestFirstOptions& attempt : short_attempts(options)) {
-    if (before.nodes + options.patience >= options.max_nodes) break;
-    Result result = Search<Dictionary>(problem, attempt, call).run();
-    result.work = together(before, result.work);
-    if (result.claim != Claim::limit && result.claim != Claim::exhausted) return result;
-    before = result.work;
-    ++before.restarts;
-  }
+  BestFirstOptions asked = options;
+  asked.max_nodes = options.patience;
+  for (; options.patience > 0 && asked.cost_grid < kWidest * options.epsilon;
+       asked.cost_grid *= kWiden)
+    for (const int order : {0, 1, 2}) {
+      if (before.nodes + options.patience >= options.max_nodes) break;
+      const BestFirstOptions attempt = in_order(asked, order);
+      Result result = Search<Dictionary>(problem, attempt, call).run();
+      result.work = together(before, result.work);
+      if (result.claim != Claim::limit && result.claim != Claim::exhausted) return result;
+      before = result.work;
+      ++before.restarts;
+    }
   BestFirstOptions last = options;
   last.max_nodes = options.max_nodes - before.nodes;
   Result result = Search<Dictionary>(problem, last, call).run();
