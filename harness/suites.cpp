@@ -154,6 +154,10 @@ std::vector<Instance> frames_of(const std::string& text, Index count) {
                                       {"driver", solver.spelling},
                                       {"contact_ids", spell_ids(frame.contacts.contacts)}}));
       frames.back().active_contacts = frame.solution.active;
+      const Problem& problem = frame.solution.frictional;
+      if (frame.before.frictional)
+        frames.back().previous = carried_over(*frame.before.frictional, *problem.friction,
+                                              frame.contacts.contacts, problem.size());
     });
   }
   return frames;

@@ -94,6 +94,31 @@ std::string content_hash(const Problem& problem) {
   return hash.hexadecimal();
 }
 
+std::string hash_with_previous(const Instance& instance) {
+  if (!instance.previous) return instance.sha256;
+  NumberHash hash;
+  for (const char digit : instance.sha256) hash.add(Index{digit});
+  hash.add(instance.previous->alpha);
+  hash.add(instance.previous->z);
+  return hash.hexadecimal();
+}
+
+void check(const Start& start, Index n, const std::string& where) {
+  const auto fail = [&where](const std::string& what) {
+    throw std::invalid_argument(fmt::format("{}: {}", where, what));
+  };
+  for (std::size_t k = 0; k < start.alpha.size(); ++k) {
+    const Index row = start.alpha[k];
+    if (row < 0 || row >= n) fail(fmt::format("alpha holds row {}, expected 0 ... {}", row, n - 1));
+    if (k > 0 && row <= start.alpha[k - 1])
+      fail(fmt::format("alpha holds row {} behind row {}, expected ascending rows", row,
+                       start.alpha[k - 1]));
+  }
+  if (start.z.size() != 0 && start.z.size() != n)
+    fail(fmt::format("z has {} entries, expected {} or none", start.z.size(), n));
+  if (!start.z.allFinite()) fail("z is not finite, expected finite numbers");
+}
+
 Instance make_instance(std::string name, Problem problem,
                        std::map<std::string, std::string> provenance) {
   const bool has_scales = problem.s_z.size() > 0 || problem.s_w.size() > 0;

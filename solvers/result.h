@@ -37,8 +37,9 @@ struct Work {
   Index factorisations = 0;  ///< LU factorisations of a basis.
   Index sweeps = 0;          ///< Passes of an iterative method.
   Index start_pivots = 0;    ///< Principal pivots taken to enter the starting basis, |alpha|.
-  /// Times a start was replaced by a cold one: an unusable basis with restart=cold, or a two-step
-  /// solve whose first step failed; or a search was given up for another (patience).
+  /// Times a start was replaced by a cold one: an unusable basis with restart=cold, a two-step solve
+  /// whose first step failed, or a previous solution that there is none of; or a search was given up
+  /// for another (patience).
   Index restarts = 0;
   Index frictionless_pivots = 0;  ///< Of the first step of a two-step solve; not in `pivots`.
 
@@ -58,9 +59,12 @@ struct Result {
   Work work;
 };
 
-/// A starting basis: the rows i whose z_i is basic.
+/// Where to start: a basis for methods that pivot, a point for those that approach a solution. Each
+/// takes what it can use; where a start holds a point alone, its alpha is empty, which is a cold start
+/// to a method that pivots.
 struct Start {
-  std::vector<Index> alpha;
+  std::vector<Index> alpha;  ///< The rows i whose z_i is basic.
+  VectorXd z = {};           ///< n, or empty where only a basis is known.
 };
 
 /// One basis change, for traces. Variables are w_i = i, z_i = n + i, z0 = 2n.

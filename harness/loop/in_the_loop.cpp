@@ -27,6 +27,7 @@ Judgement judge_by(const Acceptance& acceptance, const Problem& problem, const R
                           .provenance = {},
                           .known_solution = {},
                           .active_contacts = {},
+                          .previous = {},
                           .sha256 = {}};
   Judgement judgement = judge(instance, result, acceptance.tolerance);
   if (result.claim == Claim::solved) {

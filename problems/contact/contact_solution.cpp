@@ -86,7 +86,7 @@ Result expanded(const Result& part, const FrictionBlocks& part_rows, const Probl
 }
 
 /// Contacts whose normals the frictional LCP starts from.
-std::vector<Index> start_of(const std::vector<Index>& active, const ContactModel& model,
+std::vector<Index> normals_of_start(const std::vector<Index>& active, const ContactModel& model,
                             const MatrixXd& W_nn) {
   return model.start == ContactModel::Start::all_active
              ? active
@@ -95,12 +95,17 @@ std::vector<Index> start_of(const std::vector<Index>& active, const ContactModel
 
 Result solve_active_only(const ContactProblem& problem, const ContactModel& model,
                          const std::vector<Index>& active, const ContactSolution& solution,
-                         const ContactSolver& solver) {
-  const Problem part = friction_lcp(subset(problem, active), model.friction);
+                         const ContactSolver& solver,
+                         const std::optional<SolutionByContact>& previous) {
+  const ContactProblem contacts = subset(problem, active);
+  const Problem part = friction_lcp(contacts, model.friction);
   Call call;
-  if (model.start != ContactModel::Start::cold) {
+  if (model.start == ContactModel::Start::previous) {
+    if (previous)
+      call.start = carried_over(*previous, *part.friction, contacts.contacts, part.size());
+  } else if (model.start != ContactModel::Start::cold) {
     call.start.emplace();
-    const std::vector<Index> independent = start_of(active, model, solution.frictionless.M);
+    const std::vector<Index> independent = normals_of_start(active, model, solution.frictionless.M);
     for (std::size_t k = 0; k < active.size(); ++k)
       if (std::binary_search(independent.begin(), independent.end(), active[k]))
         call.start->alpha.push_back(part.friction->normal_row[k]);
@@ -123,7 +128,8 @@ std::string to_string(Applied applied) {
 }
 
 ContactSolution solve_contacts(const ContactProblem& problem, const ContactModel& model,
-                               const ContactSolver& solver) {
+                               const ContactSolver& solver,
+                               const std::optional<SolutionByContact>& previous) {
   ContactSolution solution;
   solution.frictional = friction_lcp(problem, model.friction);
   solution.frictionless = frictionless_lcp(problem);
@@ -134,19 +140,26 @@ ContactSolution solve_contacts(const ContactProblem& problem, const ContactModel
     active = active_contacts(solution.without_friction, *solution.frictionless.friction);
   if (active) solution.active = static_cast<Index>(active->size());
 
+  const bool has_start = model.start == ContactModel::Start::previous ? previous.has_value()
+                                                                : active.has_value();
   if (active && model.active_only) {
-    solution.with_friction = solve_active_only(problem, model, *active, solution, solver);
+    solution.with_friction =
+        solve_active_only(problem, model, *active, solution, solver, previous);
   } else {
+    const FrictionBlocks& rows = *solution.frictional.friction;
     Call call;
-    const bool wants_start = model.start != ContactModel::Start::cold;
-    if (wants_start && active) {
+    if (model.start == ContactModel::Start::previous) {
+      if (previous)
+        call.start = carried_over(*previous, rows, problem.contacts, solution.frictional.size());
+    } else if (model.start != ContactModel::Start::cold && active) {
       call.start.emplace();
-      for (const Index i : start_of(*active, model, solution.frictionless.M))
-        call.start->alpha.push_back(solution.frictional.friction->normal_row[i]);
+      for (const Index i : normals_of_start(*active, model, solution.frictionless.M))
+        call.start->alpha.push_back(rows.normal_row[i]);
     }
     solution.with_friction = solver.solve(solution.frictional, call);
-    if (wants_start && !active) ++solution.with_friction.work.restarts;
   }
+  if (model.start != ContactModel::Start::cold && !has_start)
+    ++solution.with_friction.work.restarts;
   solution.solved_with = solver.accept(solution.frictional, solution.with_friction);
 
   solution.forces = VectorXd::Zero(3 * problem.size());
@@ -158,6 +171,18 @@ ContactSolution solve_contacts(const ContactProblem& problem, const ContactModel
     solution.forces = contact_forces(*solution.frictionless.friction, solution.without_friction.z);
   }
   return solution;
+}
+
+FrameSolutions accepted_solutions(const ContactSolution& solution,
+                                  const std::vector<Contact>& contacts) {
+  FrameSolutions accepted;
+  if (solution.solved_with)
+    accepted.frictional =
+        by_contact(solution.with_friction, *solution.frictional.friction, contacts);
+  if (solution.solved_without)
+    accepted.frictionless =
+        by_contact(solution.without_friction, *solution.frictionless.friction, contacts);
+  return accepted;
 }
 
 }  // namespace lcp

@@ -3,6 +3,7 @@
 #include <functional>
 #include <string>
 
+#include "problems/contact/carried_over.h"
 #include "problems/contact/friction_lcp.h"
 #include "solvers/result.h"
 
@@ -23,6 +24,7 @@ struct ContactModel {
     /// independent (see independent_contacts).
     two_step,
     all_active,  ///< From all of them, be the basis singular up to rounding: there to be measured.
+    previous,    ///< From the frictional solution of the frame before (see carried_over).
   };
 
   FrictionModel friction;
@@ -54,10 +56,16 @@ struct ContactSolution {
 
 /// Solves the frictionless LCP, then the frictional one (IV-C), and applies the rule of V-A: where
 /// the frictional answer is not accepted the frictionless one acts, and where that is not either,
-/// nothing does. Without an accepted frictionless basis to start from, the frictional LCP is started
-/// cold and that counts as a restart. Source: K. Yamane, Y. Nakamura, "A Numerically Robust LCP
+/// nothing does. `previous` is the frictional solution of the frame before, where that was accepted.
+/// Without what the model wants to start from (an accepted frictionless basis, or `previous`), the
+/// frictional LCP is started cold and that counts as a restart. Source: K. Yamane, Y. Nakamura, "A Numerically Robust LCP
 /// Solver for Simulating Articulated Rigid Bodies in Contact", RSS 2008, IV-C, V-A.
 ContactSolution solve_contacts(const ContactProblem& problem, const ContactModel& model,
-                               const ContactSolver& solver);
+                               const ContactSolver& solver,
+                               const std::optional<SolutionByContact>& previous = {});
+
+/// The frame's solutions that were accepted, for the next one. `contacts` are the frame's.
+FrameSolutions accepted_solutions(const ContactSolution& solution,
+                                  const std::vector<Contact>& contacts);
 
 }  // namespace lcp

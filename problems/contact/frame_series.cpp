@@ -44,7 +44,11 @@ VectorXd FrameSeries::add(const ContactProblem& frame, double time, const std::s
                      {"fallbacks", std::to_string(fallbacks_)},
                      {"contact_ids", spell_ids(frame.contacts)}});
   instance.active_contacts = solution.active;
+  if (last_.frictional)
+    instance.previous = carried_over(*last_.frictional, *solution.frictional.friction,
+                                     frame.contacts, solution.frictional.size());
   instances_.push_back(std::move(instance));
+  last_ = accepted_solutions(solution, frame.contacts);
   return solution.forces;
 }
 

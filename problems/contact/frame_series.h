@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include "problems/contact/carried_over.h"
 #include "problems/contact/friction_lcp.h"
 #include "problems/instance.h"
 #include "solvers/registry.h"
@@ -26,7 +27,8 @@ class FrameSeries {
   /// that is not the frame before; empty otherwise.
   VectorXd add(const ContactProblem& frame, double time, const std::string& start);
 
-  /// The instances, in order. Provenance: scene, time, driver, predecessor, start, applied
+  /// The instances, in order, each with the driver's solution of the frame before as its `previous`,
+  /// where the driver solved it, wherever the start velocity comes from. Provenance: scene, time, driver, predecessor, start, applied
   /// (frictional, frictionless or none), fallbacks (frames so far whose frictional LCP the driver
   /// did not solve), contact_ids (body1-body2-feature, in the order of the contacts).
   std::vector<Instance> take() { return std::move(instances_); }
@@ -36,6 +38,7 @@ class FrameSeries {
   NamedSolver driver_;
   FrictionModel model_;
   Index fallbacks_ = 0;
+  FrameSolutions last_;
   std::vector<Instance> instances_;
 };
 

@@ -9,18 +9,23 @@ namespace lcp {
 
 namespace {
 
-Result unsupported(const Problem& problem, const char* reason) {
+Result without_friction(const Problem& problem) {
   Result result;
   result.claim = Claim::unsupported;
-  result.message = reason;
+  result.message = "two-step: the instance has no friction";
   result.z = VectorXd::Zero(problem.size());
   return result;
 }
 
-/// Row k of the frictionless LCP is that of contact k.
-Start start_from(const std::vector<Index>& basic_contacts, const FrictionBlocks& blocks) {
-  Start start;
-  for (const Index contact : basic_contacts) start.alpha.push_back(blocks.normal_row.at(contact));
+/// Row k of the frictionless LCP, whose matrix is W_nn, is that of contact k.
+Start start_from(const Result& frictionless, const MatrixXd& W_nn, const FrictionBlocks& blocks,
+                 Index n) {
+  Start start{.alpha = {}, .z = VectorXd::Zero(n)};
+  if (frictionless.z.size() == blocks.contacts())
+    start.z(blocks.normal_row) = frictionless.z;
+  if (!frictionless.basis) return start;
+  for (const Index contact : independent_contacts(*frictionless.basis, W_nn, kIndependentContacts))
+    start.alpha.push_back(blocks.normal_row.at(contact));
   std::sort(start.alpha.begin(), start.alpha.end());
   return start;
 }
@@ -54,7 +59,7 @@ TwoStep solve_two_step(const std::function<Result(const Problem&, const Call&)>&
                        const Problem& problem, const Observer& observer) {
   TwoStep steps;
   if (!has_friction(problem)) {
-    steps.frictional = unsupported(problem, "two-step: the instance has no friction");
+    steps.frictional = without_friction(problem);
     steps.frictionless = steps.frictional;
     return steps;
   }
@@ -63,17 +68,11 @@ TwoStep solve_two_step(const std::function<Result(const Problem&, const Call&)>&
   steps.frictionless = solve(frictionless, {});
   const Result& first = steps.frictionless;
   const bool solved = first.claim == Claim::solved;
-  if (solved && !first.basis) {
-    steps.frictional = unsupported(problem, "two-step: the solver returns no basis to start from");
-  } else {
-    // The empty basis, not no start at all: a method that takes none is to say so here as well.
-    const Start start =
-        solved
-            ? start_from(independent_contacts(*first.basis, frictionless.M, kIndependentContacts),
-                         *problem.friction)
-            : Start{};
-    steps.frictional = solve(problem, {start, observer});
-  }
+  // The empty basis, not no start at all: a method that takes none is to say so here as well.
+  const Start start =
+      solved ? start_from(first, frictionless.M, *problem.friction, problem.size())
+             : Start{.alpha = {}, .z = VectorXd::Zero(problem.size())};
+  steps.frictional = solve(problem, {start, observer});
 
   Result& second = steps.frictional;
   second.work.frictionless_pivots = first.work.pivots;

@@ -27,14 +27,14 @@ inline constexpr double kIndependentContacts = 1e-8;
 
 /// Two-step solve of a friction LCP (25): first the frictionless LCP of the same contacts
 /// (frictionless_part), then the whole from the basis alpha = {row of a_i : a_i basic there, the
-/// independent_contacts of them}, both by `solve`, which is Solver::solve or does the same. `observer`
+/// independent_contacts of them} and the point z with a as it is there and all else 0, both by `solve`, which is Solver::solve or does the same. `observer`
 /// sees the pivots of the second step.
 ///
-/// Where the first step is not claimed solved, the second starts from the empty basis, that is cold:
-/// it counts one restart more, and its message begins with `frictionless LCP: CLAIM; started cold`.
-/// A start that the solver cannot use, or a refusal of any start, stays its own claim. Where there is
-/// nothing to start from, the answer is z = 0 with the claim `unsupported`: no contact has friction, or
-/// the solver solves the first step and returns no basis, as iterative methods do.
+/// Where the first step returned no basis, as of iterative methods, the start is that point alone
+/// (alpha is empty). Where it is not claimed solved, the second starts from the empty basis and
+/// z = 0, that is cold: it counts one restart more, and its message begins with `frictionless LCP:
+/// CLAIM; started cold`. A start that the solver cannot use, or a refusal of any start, stays its own
+/// claim. Where no contact has friction, the answer is z = 0 with the claim `unsupported`.
 ///
 /// work.frictionless_pivots are the pivots of the first step; no other work of it is counted.
 /// Source: Yamane and Nakamura 2008, IV-C.

@@ -104,6 +104,12 @@ void pass(Image& image, FrictionBlocks& blocks) {
 }
 
 template <class Image>
+void pass(Image& image, Start& start) {
+  pass(image, start.alpha);
+  pass(image, start.z);
+}
+
+template <class Image>
 void pass(Image& image, Instance& instance) {
   pass(image, instance.name);
   pass(image, instance.problem.M);
@@ -116,6 +122,7 @@ void pass(Image& image, Instance& instance) {
   pass(image, instance.provenance);
   pass(image, instance.known_solution);
   pass(image, instance.active_contacts);
+  pass(image, instance.previous);
 }
 
 }  // namespace
@@ -139,6 +146,9 @@ std::vector<Instance> from_image(std::string_view image) {
     Instance checked = make_instance(read.name, std::move(read.problem), read.provenance);
     checked.known_solution = std::move(read.known_solution);
     checked.active_contacts = read.active_contacts;
+    checked.previous = std::move(read.previous);
+    if (checked.previous)
+      check(*checked.previous, checked.problem.size(), checked.name + ": previous solution");
     instances.push_back(std::move(checked));
   }
   return instances;

@@ -67,7 +67,8 @@ void Simulation::step(const ContactSolver& solver, const std::function<void(cons
               .contacts = {},
               .solution = {},
               .link_forces = {},
-              .pulls = {}};
+              .pulls = {},
+              .before = last_};
   if (system_->pull) frame.pulls = system_->pull(state_.time, here);
   assemble(dynamics_, state_, here, frame.pulls, {});
   frame.points = contact_points(here);
@@ -77,6 +78,8 @@ void Simulation::step(const ContactSolver& solver, const std::function<void(cons
   solve(frame, solver);
   const VectorXd first_stage = dynamics_.disassemble(frame.link_forces).joints;
   if (look) look(frame);
+  last_ = frame.points.empty() ? FrameSolutions{}
+                               : accepted_solutions(frame.solution, frame.contacts.contacts);
 
   if (stepping_.scheme == Stepping::Scheme::paper) {
     move_by_runge_kutta(first_stage, origin, frame.link_forces);
@@ -149,7 +152,7 @@ void Simulation::pose_contacts(Frame& frame) const {
 void Simulation::solve(Frame& frame, const ContactSolver& solver) const {
   frame.link_forces = VectorXd::Zero(6 * system_->handles.size());
   if (frame.points.empty()) return;
-  frame.solution = solve_contacts(frame.contacts, stepping_.contact, solver);
+  frame.solution = solve_contacts(frame.contacts, stepping_.contact, solver, last_.frictional);
   frame.link_forces = frame.links.J.transpose() * frame.solution.forces;  // (12)
 }
 

@@ -66,6 +66,7 @@ struct Frame {
   ContactSolution solution;
   VectorXd link_forces;  ///< 6N on the handles, at kinematics.origin.
   std::vector<PointForce> pulls;
+  const FrameSolutions& before;  ///< Of the step before this one; empty where nothing touched.
 
   /// Force of contact i on its body 1, N, world axes.
   Vector3d force(Index i) const;
@@ -121,6 +122,7 @@ class Simulation {
   Stepping stepping_;
   State state_;
   Index number_ = 0;
+  FrameSolutions last_;  ///< Of the last step.
   ForwardDynamics dynamics_;
   ForwardDynamics later_stages_;  ///< Without handles: contact forces are known by then.
   std::optional<CompositeBody> composite_;

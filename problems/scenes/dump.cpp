@@ -54,16 +54,20 @@ void CorpusDump::add_pair(const ContactProblem& contacts, const Frame& frame,
       {"applied", to_string(frame.solution.applied)},
       {"contact_ids", spell_ids(contacts.contacts)},
       {"W", matrix}};
-  const auto add = [&](const std::string& name, const Problem& problem) {
+  const auto add = [&](const std::string& name, const Problem& problem,
+                       const std::optional<SolutionByContact>& before) {
     Instance instance =
         make_instance(fmt::format("{}/{:05}", name, frame.number), problem, provenance);
     instance.active_contacts = frame.solution.active;
+    if (before)
+      instance.previous =
+          carried_over(*before, *problem.friction, contacts.contacts, problem.size());
     shard_.push_back(std::move(instance));
   };
-  add(corpus, friction_lcp(contacts, model));
+  add(corpus, friction_lcp(contacts, model), frame.before.frictional);
   if (provenance["predecessor"] != "none")
     provenance["predecessor"] = corpus + "+frictionless/" + predecessor_;
-  add(corpus + "+frictionless", frictionless_lcp(contacts));
+  add(corpus + "+frictionless", frictionless_lcp(contacts), frame.before.frictionless);
 }
 
 void CorpusDump::write_shard() {

@@ -20,6 +20,11 @@ namespace lcp {
 ///     SCENE/00042                SCENE+composite/00042                or SCENE+joint-space/00042
 ///     SCENE+frictionless/00042   SCENE+composite+frictionless/00042      ...
 ///
+/// With each goes, as its `previous` (start kind `previous`), the solution that the driver found for
+/// the frame before, dumped or not, carried over by contact (carried_over): the frictional one, or
+/// for the frictionless LCP the frictionless one. There is none where that frame had no contact or
+/// its solution was not accepted. A clean twin gets the same, found with the scene's own matrix.
+///
 /// Provenance: scene, time, driver, predecessor, applied, contact_ids, W ("assembly and
 /// disassembly", "composite body" or "joint space").
 class CorpusDump {

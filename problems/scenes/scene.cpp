@@ -62,9 +62,10 @@ OptionTable with_stepping_knobs(OptionTable table, SteppingKnobs& knobs) {
                          "the first direction is the world's x, or along the slip velocity of a "
                          "sliding contact"));
   table.push_back(
-      choice("start", knobs.start, {"cold", "two-step", "all-active"},
+      choice("start", knobs.start, {"cold", "two-step", "all-active", "previous"},
              "the frictional LCP starts from the empty basis, from the independent ones "
-             "of the normals that are active without friction, or from all of them"));
+             "of the normals that are active without friction, from all of them, or from "
+             "the solution of the frame before"));
   table.push_back(flag("active_only", knobs.active_only,
                        "contacts inactive without friction are left out of the frictional LCP"));
   table.push_back(choice("reduction", knobs.reduction, {"none", "paper", "deepest-4"},

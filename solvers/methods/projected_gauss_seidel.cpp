@@ -17,6 +17,8 @@
 //           H-matrices with positive diagonal. Contacts: no theorem with friction; slow, or never
 //           there, when W is rank-deficient or badly conditioned. A fixed point is a solution.
 //           Rounding only limits the residual that can be reached.
+// Start     A point z (n): plain, z itself; with contacts, the forces f_n = a, f_t = sum b_m c_m.
+//           A start without a point is `unsupported`.
 // Differs   from the pivoting rows: there is no basis, hence no starting basis, and the answer is
 //           as good as `tolerance`. It claims `solved` only by the natural residual of the LCP
 //           itself.
@@ -25,6 +27,7 @@
 
 #include <cmath>
 #include <limits>
+#include <stdexcept>
 
 #include "solvers/linalg/natural_residual.h"
 #include "solvers/registry.h"
@@ -108,8 +111,8 @@ VectorXd cone_coefficients(const Eigen::Ref<const MatrixXd>& directions, const V
 /// The plain method on M.
 class Rows {
  public:
-  explicit Rows(const Problem& problem)
-      : problem_(problem), z_(VectorXd::Zero(problem.size())), M_rows_(problem.M) {}
+  Rows(const Problem& problem, const VectorXd& start)
+      : problem_(problem), z_(start), M_rows_(problem.M) {}
 
   static std::string obstacle(const Problem& problem) {
     for (Index i = 0; i < problem.size(); ++i)
@@ -136,11 +139,18 @@ class Rows {
 /// The method on contact blocks, one contact at a time.
 class Contacts {
  public:
-  explicit Contacts(const Problem& problem)
+  Contacts(const Problem& problem, const VectorXd& start)
       : n_(problem.size()),
         blocks_(*problem.friction),
         W_transposed_(blocks_.W.transpose()),
-        forces_(VectorXd::Zero(3 * blocks_.contacts())) {}
+        forces_(VectorXd::Zero(3 * blocks_.contacts())) {
+    const Index m = blocks_.directions_per_contact;
+    for (Index i = 0; i < blocks_.contacts(); ++i) {
+      forces_(3 * i) = start(blocks_.normal_row[i]);
+      if (blocks_.friction_row[i] >= 0)
+        forces_.segment<2>(3 * i + 1) = directions(i) * start.segment(blocks_.friction_row[i], m);
+    }
+  }
 
   static std::string obstacle(const Problem& problem) {
     const FrictionBlocks& blocks = *problem.friction;
@@ -205,9 +215,9 @@ class Contacts {
   VectorXd forces_;
 };
 
-/// Sweeps until the residual of the LCP is small, the sweeps run out, or the numbers do.
+/// Sweeps from `start` (n) until the residual of the LCP is small, the sweeps run out, or the numbers do.
 template <class Iteration>
-Result iterate(const Problem& problem, const GaussSeidelOptions& options) {
+Result iterate(const Problem& problem, const GaussSeidelOptions& options, const VectorXd& start) {
   Result result;
   result.z = VectorXd::Zero(problem.size());
   result.message = Iteration::obstacle(problem);
@@ -215,7 +225,7 @@ Result iterate(const Problem& problem, const GaussSeidelOptions& options) {
     result.claim = Claim::unsupported;
     return result;
   }
-  Iteration iteration(problem);
+  Iteration iteration(problem, start);
   VectorXd w;
   while (true) {
     const VectorXd z = iteration.z();
@@ -242,15 +252,27 @@ Result iterate(const Problem& problem, const GaussSeidelOptions& options) {
   }
 }
 
+/// Throws std::invalid_argument unless it has n finite entries.
+const VectorXd& checked_point(const VectorXd& z, Index n) {
+  if (z.size() != n)
+    throw std::invalid_argument(
+        fmt::format("starting point has {} entries, expected {}", z.size(), n));
+  if (!z.allFinite()) throw std::invalid_argument("starting point is not finite");
+  return z;
+}
+
 Result solve(const Problem& problem, const GaussSeidelOptions& options, const Call& call) {
-  if (call.start) {
+  VectorXd start = VectorXd::Zero(problem.size());
+  if (call.start && call.start->z.size() == 0 && problem.size() > 0) {
     Result result;
     result.claim = Claim::unsupported;
     result.message = "takes no starting basis";
-    result.z = VectorXd::Zero(problem.size());
+    result.z = start;
     return result;
   }
-  return problem.friction ? iterate<Contacts>(problem, options) : iterate<Rows>(problem, options);
+  if (call.start) start = checked_point(call.start->z, problem.size());
+  return problem.friction ? iterate<Contacts>(problem, options, start)
+                          : iterate<Rows>(problem, options, start);
 }
 
 const Registration projected_gauss_seidel{

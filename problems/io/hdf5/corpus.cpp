@@ -73,6 +73,12 @@ void write_friction(H5::Group& group, const FrictionBlocks& blocks) {
   hdf5::write_attribute(layout, "directions_per_contact", blocks.directions_per_contact);
 }
 
+void write_previous(H5::Group& group, const Instance& instance) {
+  hdf5::write(group, "previous_alpha", instance.previous->alpha);
+  if (instance.previous->z.size() > 0) hdf5::write(group, "previous_z", instance.previous->z);
+  hdf5::write_attribute(group, "previous_sha256", hash_with_previous(instance));
+}
+
 void write_instance(H5::Group& group, const Instance& instance) {
   const Problem& problem = instance.problem;
   hdf5::write(group, "M", problem.M);
@@ -81,6 +87,7 @@ void write_instance(H5::Group& group, const Instance& instance) {
   hdf5::write(group, "s_w", problem.s_w);
   if (problem.c.size() > 0) hdf5::write(group, "c", problem.c);
   if (instance.known_solution) hdf5::write(group, "known_solution", *instance.known_solution);
+  if (instance.previous) write_previous(group, instance);
   if (problem.friction) write_friction(group, *problem.friction);
   hdf5::write_attribute(group, "sha256", content_hash(problem));
   hdf5::write_attribute(group, "pivot_limit", problem.pivot_limit);
@@ -179,11 +186,24 @@ std::map<std::string, std::string> read_provenance(const GroupReader& group) {
   return group.group("provenance").printed_attributes();
 }
 
-void require_hash(const GroupReader& group, const Instance& instance) {
-  if (!group.has_attribute("sha256")) return;
-  const std::string stored = group.text_attribute("sha256");
-  if (stored != instance.sha256)
-    group.fail("sha256", fmt::format("is {}, but the content has {}", stored, instance.sha256));
+/// `found` is the hash of what was read, `name` the attribute that may hold it.
+void require_hash(const GroupReader& group, const char* name, const std::string& found) {
+  if (!group.has_attribute(name)) return;
+  const std::string stored = group.text_attribute(name);
+  if (stored != found)
+    group.fail(name, fmt::format("is {}, but the content has {}", stored, found));
+}
+
+void read_previous(const GroupReader& group, Instance& instance) {
+  Start& previous = instance.previous.emplace();
+  previous.alpha = group.integers_up_to("previous_alpha", instance.problem.size());
+  if (group.has("previous_z")) previous.z = group.vector("previous_z");
+  try {
+    check(previous, instance.problem.size(), "previous solution");
+  } catch (const std::invalid_argument& error) {
+    group.fail("", error.what());
+  }
+  require_hash(group, "previous_sha256", hash_with_previous(instance));
 }
 
 /// An instance whose group holds M and q.
@@ -194,13 +214,14 @@ Instance read_stored_lcp(const GroupReader& group, const std::string& name) {
   } catch (const std::invalid_argument& error) {
     group.fail("", error.what());
   }
-  require_hash(group, instance);
+  require_hash(group, "sha256", instance.sha256);
   const Problem& problem = instance.problem;
   if (group.has("known_solution"))
     instance.known_solution = read_known_solution(group, problem.size());
   if (group.has_attribute("active_contacts"))
     instance.active_contacts =
         read_active_contacts(group, problem.friction ? problem.friction->contacts() : 0);
+  if (group.has("previous_alpha")) read_previous(group, instance);
   return instance;
 }
 
@@ -222,7 +243,7 @@ Instance read_contacts(const GroupReader& group, const std::string& name,
   }
   Instance instance = contact_instance(name, std::move(local.contacts), options,
                                        std::move(provenance), problem.place());
-  require_hash(group, instance);
+  require_hash(group, "sha256", instance.sha256);
   return instance;
 }
 

@@ -16,11 +16,14 @@ namespace lcp {
 ///     s_z, s_w      n: the scales; plain ones (set_plain_scales) where they are missing
 ///     c             n: covering vector, where the instance has its own
 ///     known_solution  n, where known
+///     previous_alpha, previous_z  rows (ascending) and n: the solution of the frame before, carried
+///                   over to these rows, where known; z may be missing
 ///     fclib_local   W, vbar (as vectors/q) and mu of an instance with contacts
 ///     layout        its directions (2 x Nc m), normal_row, friction_row, cone_row (Nc each), and
 ///                   the attribute directions_per_contact
 ///     provenance    a group with one attribute, text or number, per key
-///     attributes    sha256, pivot_limit, active_contacts (where known), and the features of
+///     attributes    sha256, pivot_limit, active_contacts (where known), previous_sha256
+///                   (hash_with_previous, where that solution is known), and the features of
 ///                   problems/features.h for whoever browses the file
 ///
 /// M and q are enough: a file written by hand, with numbers of any HDF5 type and names of its own,

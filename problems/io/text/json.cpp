@@ -197,9 +197,19 @@ std::map<std::string, std::string> read_provenance(const Place& place) {
   return texts;
 }
 
+/// `found` is the hash of what was read, `key` where one may stand.
+void require_hash(const Place& place, const char* key, const std::string& found) {
+  if (!place.has(key)) return;
+  const std::string stored = place[key].text();
+  if (stored != found)
+    place[key].fail(
+        fmt::format("is {}, but the content has {}", stored.substr(0, found.size()), found));
+}
+
 Instance read_instance(const Place& place, const std::string& unnamed) {
   place.require_object({"name", "M", "q", "s_z", "s_w", "c", "pivot_limit", "known_solution",
-                        "active_contacts", "provenance", "friction", "sha256"});
+                        "active_contacts", "provenance", "friction", "sha256", "previous_alpha",
+                        "previous_z", "previous_sha256"});
   const std::string name = place.has("name") ? place["name"].text() : unnamed;
   Instance instance;
   try {
@@ -207,10 +217,7 @@ Instance read_instance(const Place& place, const std::string& unnamed) {
   } catch (const std::invalid_argument& error) {
     place.fail(error.what());
   }
-  if (place.has("sha256") && place["sha256"].text() != instance.sha256)
-    place["sha256"].fail(fmt::format("is {}, but the content has {}",
-                                     place["sha256"].text().substr(0, instance.sha256.size()),
-                                     instance.sha256));
+  require_hash(place, "sha256", instance.sha256);
   const Problem& problem = instance.problem;
   if (place.has("known_solution")) {
     instance.known_solution = place["known_solution"].vector();
@@ -224,6 +231,17 @@ Instance read_instance(const Place& place, const std::string& unnamed) {
     if (active < 0 || active > contacts)
       place["active_contacts"].fail(fmt::format("is {}, expected 0 ... {}", active, contacts));
     instance.active_contacts = active;
+  }
+  if (place.has("previous_alpha")) {
+    Start& previous = instance.previous.emplace();
+    previous.alpha = place["previous_alpha"].integers();
+    if (place.has("previous_z")) previous.z = place["previous_z"].vector();
+    try {
+      check(previous, problem.size(), "previous solution");
+    } catch (const std::invalid_argument& error) {
+      place.fail(error.what());
+    }
+    require_hash(place, "previous_sha256", hash_with_previous(instance));
   }
   return instance;
 }
@@ -262,6 +280,11 @@ Json to_json(const Instance& instance) {
   if (problem.c.size() > 0) json["c"] = list_of(problem.c);
   if (instance.known_solution) json["known_solution"] = list_of(*instance.known_solution);
   if (instance.active_contacts) json["active_contacts"] = *instance.active_contacts;
+  if (instance.previous) {
+    json["previous_alpha"] = instance.previous->alpha;
+    if (instance.previous->z.size() > 0) json["previous_z"] = list_of(instance.previous->z);
+    json["previous_sha256"] = hash_with_previous(instance);
+  }
   if (problem.friction) json["friction"] = to_json(*problem.friction);
   return json;
 }

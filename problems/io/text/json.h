@@ -14,7 +14,8 @@ namespace lcp {
 ///
 /// An instance holds M (n rows of n numbers) and q (n). It may hold name, s_z, s_w (n; plain scales
 /// otherwise), c (n), pivot_limit, known_solution (n), active_contacts, provenance (an object of
-/// texts), sha256 (which then has to agree), and friction, an object with the fields of
+/// texts), previous_alpha and previous_z (the solution of the frame before, in these rows), sha256 and
+/// previous_sha256 (which then have to agree), and friction, an object with the fields of
 /// FrictionBlocks: W, vbar, mu, directions (2 rows), directions_per_contact, normal_row,
 /// friction_row, cone_row. Other keys are refused, so that a misspelt one is noticed. Numbers are
 /// written in decimals that read back as the same bits, -0 too.
