@@ -1,6 +1,9 @@
 #include "harness/charts/chart.h"
 
+#include <fmt/format.h>
+
 #include <map>
+#include <tuple>
 
 #include "harness/charts/chart_script.h"
 #include "harness/charts/gnuplot.h"
@@ -27,10 +30,10 @@ struct Samples {
 }  // namespace
 
 std::vector<ChartPoint> chart_points(const std::vector<Record>& records) {
-  std::map<std::pair<std::string, std::string>, Samples> samples;
+  std::map<std::tuple<std::string, std::string, std::string>, Samples> samples;
   for (const Record& record : records) {
     if (record.verdict != Verdict::solved || record.trivial) continue;
-    Samples& of = samples[{record.corpus, record.solver}];
+    Samples& of = samples[{record.corpus, record.solver, record.start}];
     if (const auto time = record.median_ns())
       of.times_ms.push_back(1e-6 * static_cast<double>(*time));
     of.residuals.push_back(record.accuracy.value().residual);
@@ -39,10 +42,13 @@ std::vector<ChartPoint> chart_points(const std::vector<Record>& records) {
   for (const Record& record : records) row_of[record.solver] = record.row;
 
   std::vector<ChartPoint> points;
-  for (const TableRow& row : make_table(records).rows) {
-    const Samples& of = samples[{row.corpus, row.solver}];
-    points.push_back({row.corpus, row_of[row.solver], row.label, row.success + row.failure,
-                      row.failure, spread(of.times_ms), spread(of.residuals)});
+  const Table table = make_table(records);
+  for (const TableRow& row : table.rows) {
+    const Samples& of = samples[{row.corpus, row.solver, row.start}];
+    std::string name = row_of[row.solver];
+    if (table.several_starts) name += fmt::format(" [{}]", row.start);
+    points.push_back({row.corpus, name, row.label, row.success + row.failure, row.failure,
+                      spread(of.times_ms), spread(of.residuals)});
   }
   return points;
 }

@@ -19,7 +19,9 @@ struct Spread {
 /// One solver setting on one corpus, as a point of the chart of time against accuracy.
 struct ChartPoint {
   std::string corpus;
-  std::string row;    ///< Registry row: points of one row share a colour and are joined.
+  /// Registry row, with ` [START]` where rows start differently: points of one row share a colour and
+  /// are joined.
+  std::string row;
   std::string label;  ///< As in the table.
   Index counted = 0;  ///< success + failure of the table.
   Index failed = 0;

@@ -40,17 +40,22 @@ Json to_json(const Comparison& comparison) {
   return json;
 }
 
+/// The solver, and its start unless it is cold.
+std::string spelled(const PairKey& pair) {
+  return pair.start == "cold" ? pair.solver : fmt::format("{} [{}]", pair.solver, pair.start);
+}
+
 void print(const Comparison& comparison) {
   std::size_t instance = 0, solver = 0;
   for (const Regression& each : comparison.regressions) {
     instance = std::max(instance, each.pair.instance.size());
-    solver = std::max(solver, each.pair.solver.size());
+    solver = std::max(solver, spelled(each.pair).size());
   }
   for (const Regression& each : comparison.regressions) {
     const std::string ratio =
         each.kind == Regression::Kind::lost ? "" : fmt::format("x{:.2f}", each.ratio);
     fmt::print("{:<6} {:>8}  {:<{}}  {:<{}}  {} -> {}\n", to_string(each.kind), ratio,
-               each.pair.instance, instance, each.pair.solver, solver, each.before, each.after);
+               each.pair.instance, instance, spelled(each.pair), solver, each.before, each.after);
   }
 }
 

@@ -67,7 +67,8 @@ Json describe(const Instance& instance) {
                {"scales of w", range(instance.problem.s_w)},
                {"covering vector", instance.problem.c.size() > 0 ? "its own" : "1"},
                {"pivot limit", instance.problem.max_pivots()},
-               {"solution known", instance.known_solution.has_value()}};
+               {"solution known", instance.known_solution.has_value()},
+               {"previous solution", instance.previous.has_value()}};
   json["provenance"] = instance.provenance;
   return json;
 }

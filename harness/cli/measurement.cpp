@@ -32,7 +32,7 @@ RunPlan make_plan(const Measurement& measurement, std::vector<NamedSolver> solve
   RunPlan plan;
   plan.timeout = parse_duration(measurement.timeout, "--timeout");
   plan.memory_bytes = parse_bytes(measurement.memory, "--memory");
-  plan.start = start_kind_from_string(measurement.start);
+  plan.starts = start_kinds(measurement.starts);
   plan.tolerance = measurement.tolerance;
   plan.jobs = measurement.jobs;
   plan.solvers = std::move(solvers);
@@ -49,9 +49,13 @@ RunPlan make_plan(const Measurement& measurement, std::vector<NamedSolver> solve
 /// The pairs to be run on stdout, how long they should take on stderr.
 void print_pairs(const RunPlan& plan) {
   const std::vector<PairKey> pairs = open_pairs(plan);
-  for (const PairKey& pair : pairs) fmt::print("{} {}\n", pair.instance, pair.solver);
-  fmt::print(stderr, "{} instances, {} solvers, {} pairs to run\n", plan.instances.size(),
-             plan.solvers.size(), pairs.size());
+  for (const PairKey& pair : pairs)
+    fmt::print("{} {}{}\n", pair.instance, pair.solver,
+               plan.starts.size() > 1 ? " " + pair.start : "");
+  fmt::print(stderr, "{} instances, {} solvers, {}{} pairs to run\n", plan.instances.size(),
+             plan.solvers.size(),
+             plan.starts.size() > 1 ? fmt::format("{} starts, ", plan.starts.size()) : "",
+             pairs.size());
   const Forecast expected = forecast(plan, past_runs({"runs"}));
   if (expected.known > 0)
     fmt::print(stderr, "expected: {} for {} of them, going by past runs below runs/\n",
@@ -71,7 +75,7 @@ void add_options(CLI::App& page, Measurement& measurement) {
                   "Instances instead of a suite: FILE, FILE#NAME or directory, repeatable")
       ->excludes(suite);
   add_reading_option(page, measurement.reading);
-  add_start_option(page, measurement.start);
+  add_start_option(page, measurement.starts);
   page.add_option("--tolerance", measurement.tolerance,
                   "Largest natural residual (scaled) that counts as solved")
       ->check(CLI::PositiveNumber)

@@ -15,7 +15,7 @@ struct Measurement {
   std::string suite;
   std::vector<std::string> corpora;
   ReadOptions reading;
-  std::string start = "cold";
+  std::vector<std::string> starts = {"cold"};
   double tolerance = 1e-6;
   std::string timeout = "10s";
   std::string memory = "2GiB";

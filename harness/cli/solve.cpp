@@ -25,7 +25,7 @@ struct SolveArguments {
   std::string where;
   ReadOptions reading;
   std::vector<std::string> solvers;
-  std::string start = "cold";
+  std::vector<std::string> starts = {"cold"};
   double tolerance = 1e-6;
   bool trace = false;
   bool json = false;
@@ -66,7 +66,8 @@ std::string solution(const VectorXd& z) {
 
 void print(const Instance& instance, const NamedSolver& solver, StartKind start,
            const Result& result, const Judgement& judgement) {
-  fmt::print("{} (n = {}), {}: {}\n", instance.name, instance.problem.size(), solver.spelling,
+  fmt::print("{} (n = {}), {}{}: {}\n", instance.name, instance.problem.size(), solver.spelling,
+             start == StartKind::cold ? "" : fmt::format(" [{}]", to_string(start)),
              to_string(judgement.verdict));
   if (judgement.verdict == Verdict::wrong) fmt::print("  claimed {}\n", to_string(result.claim));
   if (!result.message.empty()) fmt::print("  {}\n", result.message);
@@ -78,27 +79,30 @@ void print(const Instance& instance, const NamedSolver& solver, StartKind start,
   if (start == StartKind::two_step)
     fmt::print("  frictionless pivots {}, start pivots {}, restarts {}\n",
                result.work.frictionless_pivots, result.work.start_pivots, result.work.restarts);
+  if (start == StartKind::previous)
+    fmt::print("  start pivots {}, restarts {}\n", result.work.start_pivots, result.work.restarts);
   fmt::print("  {}\n", solution(result.z));
 }
 
 int solve(const SolveArguments& arguments) {
   const std::vector<NamedSolver> solvers = make_solvers(arguments.solvers);
-  const StartKind start = start_kind_from_string(arguments.start);
   Json all = Json::array();
   for (const Instance& instance : read_instances(arguments.where, arguments.reading)) {
     for (const NamedSolver& solver : solvers) {
-      Trace trace(instance.problem);
-      Call call;
-      if (arguments.trace) call.observer = trace.observer();
-      const Result result = solve_instance(*solver.solver, instance, call, start);
-      const Judgement judgement = judge(instance, result, arguments.tolerance);
-      if (arguments.json) {
-        all.push_back(to_json(instance, solver, start, result, judgement));
-        if (arguments.trace) all.back()["trace"] = trace.json();
-        continue;
+      for (const StartKind start : start_kinds(arguments.starts)) {
+        Trace trace(instance.problem);
+        Call call;
+        if (arguments.trace) call.observer = trace.observer();
+        const Result result = solve_instance(*solver.solver, instance, call, start);
+        const Judgement judgement = judge(instance, result, arguments.tolerance);
+        if (arguments.json) {
+          all.push_back(to_json(instance, solver, start, result, judgement));
+          if (arguments.trace) all.back()["trace"] = trace.json();
+          continue;
+        }
+        print(instance, solver, start, result, judgement);
+        if (arguments.trace) fmt::print("{}", trace.text());
       }
-      print(instance, solver, start, result, judgement);
-      if (arguments.trace) fmt::print("{}", trace.text());
     }
   }
   if (arguments.json) fmt::print("{}\n", Json{{"results", all}}.dump(1));
@@ -117,7 +121,7 @@ Verb add_solve(CLI::App& program) {
                    "NAME[:key=value,...], pattern or all; repeatable")
       ->allow_extra_args(false)
       ->capture_default_str();
-  add_start_option(*page, arguments->start);
+  add_start_option(*page, arguments->starts);
   page->add_option("--tolerance", arguments->tolerance,
                    "Largest natural residual (scaled) that counts as solved")
       ->check(CLI::PositiveNumber)

@@ -1,19 +1,28 @@
 #include "harness/cli/start.h"
 
-#include <vector>
-
-#include "harness/measure/solve.h"
+#include <algorithm>
 
 namespace lcp::cli {
 
-void add_start_option(CLI::App& page, std::string& start) {
+void add_start_option(CLI::App& page, std::vector<std::string>& starts) {
   std::vector<std::string> names;
   for (const StartKind kind : all_start_kinds()) names.push_back(to_string(kind));
-  page.add_option("--start", start,
-                  "Starting basis: none, or the active normals of the frictionless LCP, which the "
-                  "same solver solves first")
+  page.add_option(
+          "--start", starts,
+          "Where solvers start: nowhere (cold), from the active normals of the frictionless "
+          "LCP, which the same solver solves first (two-step), or from the solution of the "
+          "frame before, where the instance holds it (previous); repeatable")
+      ->allow_extra_args(false)
       ->check(CLI::IsMember(names))
       ->capture_default_str();
+}
+
+std::vector<StartKind> start_kinds(const std::vector<std::string>& names) {
+  std::vector<StartKind> kinds;
+  for (const StartKind kind : all_start_kinds())
+    if (std::find(names.begin(), names.end(), to_string(kind)) != names.end())
+      kinds.push_back(kind);
+  return kinds;
 }
 
 }  // namespace lcp::cli

@@ -27,6 +27,7 @@ void check_plan(const RunPlan& plan) {
           fmt::format("timeout is {} ns, expected more than 0", plan.timeout.count()));
   require(plan.memory_bytes > 0,
           fmt::format("memory limit is {} bytes, expected more than 0", plan.memory_bytes));
+  require(!plan.starts.empty(), "no start, expected one or more");
   require(plan.jobs >= 1, fmt::format("jobs is {}, expected 1 or more", plan.jobs));
   require(plan.max_samples >= 1,
           fmt::format("max_samples is {}, expected 1 or more", plan.max_samples));
@@ -37,15 +38,27 @@ void check_plan(const RunPlan& plan) {
   for (const Instance& instance : plan.instances) check(instance.problem, instance.name);
 }
 
-PairKey key_of(const RunPlan& plan, const Instance& instance, const NamedSolver& solver) {
-  return {instance.name, instance.sha256, solver.spelling, to_string(plan.start)};
+/// A solver from one of the starts.
+struct Entrant {
+  const NamedSolver* solver;
+  StartKind start;
+};
+
+/// Hash of what the results from this start depend on.
+std::string hash_of(const Instance& instance, StartKind start) {
+  return start == StartKind::previous ? hash_with_previous(instance) : instance.sha256;
 }
 
-/// The solvers that are to meet on one instance.
+PairKey key_of(const Instance& instance, const Entrant& entrant) {
+  return {instance.name, hash_of(instance, entrant.start), entrant.solver->spelling,
+          to_string(entrant.start)};
+}
+
+/// Those that are to meet on one instance.
 struct Fixture {
   const Instance& instance;
   Index place;
-  std::vector<const NamedSolver*> solvers;
+  std::vector<Entrant> entrants;
 };
 
 /// What of the plan is to be run: its shard, without the pairs done.
@@ -54,16 +67,17 @@ std::vector<Fixture> open_fixtures(const RunPlan& plan) {
   for (std::size_t k = plan.shard.index; k < plan.instances.size(); k += plan.shard.count) {
     Fixture fixture{plan.instances[k], static_cast<Index>(k), {}};
     for (const NamedSolver& solver : plan.solvers)
-      if (!plan.done.contains(key_of(plan, fixture.instance, solver)))
-        fixture.solvers.push_back(&solver);
-    if (!fixture.solvers.empty()) fixtures.push_back(std::move(fixture));
+      for (const StartKind start : plan.starts)
+        if (!plan.done.contains(key_of(fixture.instance, {&solver, start})))
+          fixture.entrants.push_back({&solver, start});
+    if (!fixture.entrants.empty()) fixtures.push_back(std::move(fixture));
   }
   return fixtures;
 }
 
 std::size_t pairs_of(const std::vector<Fixture>& fixtures) {
   std::size_t pairs = 0;
-  for (const Fixture& fixture : fixtures) pairs += fixture.solvers.size();
+  for (const Fixture& fixture : fixtures) pairs += fixture.entrants.size();
   return pairs;
 }
 
@@ -72,14 +86,15 @@ Index contacts_of(const Instance& instance) {
 }
 
 /// A row about this pair in which nothing has been run yet.
-Record blank_record(const RunPlan& plan, const Fixture& fixture, const NamedSolver& solver) {
+Record blank_record(const RunPlan& plan, const Fixture& fixture, const Entrant& entrant) {
   const Instance& instance = fixture.instance;
+  const NamedSolver& solver = *entrant.solver;
   Record record;
   record.instance = instance.name;
   record.place = fixture.place;
-  record.start = to_string(plan.start);
+  record.start = to_string(entrant.start);
   record.corpus = instance.name.substr(0, instance.name.find('/'));
-  record.sha256 = instance.sha256;
+  record.sha256 = hash_of(instance, entrant.start);
   record.n = instance.problem.size();
   record.contacts = contacts_of(instance);
   record.active_contacts = instance.active_contacts;
@@ -106,18 +121,19 @@ Verdict verdict_without_answer(Outcome::How how) {
   }
 }
 
-/// One solver at work on one instance, and the record that comes of it.
+/// One entrant at work on one instance, and the record that comes of it.
 class Pair {
  public:
-  Pair(const RunPlan& plan, const Fixture& fixture, const NamedSolver& solver,
+  Pair(const RunPlan& plan, const Fixture& fixture, const Entrant& entrant,
        const std::vector<Island>& islands)
       : plan_(plan),
         instance_(fixture.instance),
-        blank_(blank_record(plan, fixture, solver)),
+        blank_(blank_record(plan, fixture, entrant)),
         record_(blank_),
         worker_(std::make_unique<Worker>(
-            [&solver, &islands, n = fixture.instance.problem.size(), start = plan.start] {
-              return solve_islands(*solver.solver, islands, n, {}, start);
+            [entrant, &islands, &instance = fixture.instance] {
+              return solve_islands(*entrant.solver->solver, islands, instance.problem.size(), {},
+                                   entrant.start, instance.previous);
             },
             Limits{plan.timeout, plan.memory_bytes})) {}
 
@@ -197,19 +213,19 @@ class Pair {
   std::string first_answer_;
 };
 
-/// All solvers on one instance, taking turns: at most one of them is running.
+/// All entrants on one instance, taking turns: at most one of them is running.
 class Match {
  public:
   Match(const RunPlan& plan, const Fixture& fixture)
       : instance_(fixture.instance), islands_(split_islands(instance_.problem)) {
-    for (const NamedSolver* solver : fixture.solvers)
-      pairs_.push_back(std::make_unique<Pair>(plan, fixture, *solver, islands_));
+    for (const Entrant& entrant : fixture.entrants)
+      pairs_.push_back(std::make_unique<Pair>(plan, fixture, entrant, islands_));
     pairs_[turn_]->worker().ask();
   }
 
   const Instance& instance() const { return instance_; }
   std::vector<pollfd> watched() const { return pairs_[turn_]->worker().watched(); }
-  /// Of the pairs that are done, in solver order.
+  /// Of the pairs that are done, in the order of the fixture.
   std::vector<Record> records() const {
     std::vector<Record> records;
     for (const auto& pair : pairs_)
@@ -221,7 +237,7 @@ class Match {
     return std::all_of(pairs_.begin(), pairs_.end(), [](const auto& pair) { return pair->done(); });
   }
 
-  /// Looks after the solve that is running; when it has ended, begins that of the next solver in
+  /// Looks after the solve that is running; when it has ended, begins that of the next in
   /// turn. Returns true when this was the last of its pair.
   bool advance() {
     Pair& pair = *pairs_[turn_];
@@ -256,8 +272,8 @@ void wait_for_workers(const Matches& matches) {
 
 std::vector<Record> not_run_records(const RunPlan& plan, const Fixture& fixture) {
   std::vector<Record> records;
-  for (const NamedSolver* solver : fixture.solvers) {
-    records.push_back(blank_record(plan, fixture, *solver));
+  for (const Entrant& entrant : fixture.entrants) {
+    records.push_back(blank_record(plan, fixture, entrant));
     records.back().verdict = Verdict::not_run;
     records.back().message =
         fmt::format("{} contacts, more than {}", contacts_of(fixture.instance), plan.max_contacts);
@@ -270,8 +286,8 @@ std::vector<Record> not_run_records(const RunPlan& plan, const Fixture& fixture)
 std::vector<PairKey> open_pairs(const RunPlan& plan) {
   std::vector<PairKey> pairs;
   for (const Fixture& fixture : open_fixtures(plan))
-    for (const NamedSolver* solver : fixture.solvers)
-      pairs.push_back(key_of(plan, fixture.instance, *solver));
+    for (const Entrant& entrant : fixture.entrants)
+      pairs.push_back(key_of(fixture.instance, entrant));
   return pairs;
 }
 
@@ -297,7 +313,7 @@ void run(const RunPlan& plan, const std::function<void(const Record&)>& finished
       const Fixture& fixture = *next++;
       if (contacts_of(fixture.instance) > plan.max_contacts) {
         hand_over(not_run_records(plan, fixture));
-        report(fixture.instance, fixture.solvers.size());
+        report(fixture.instance, fixture.entrants.size());
       } else {
         matches.push_back(std::make_unique<Match>(plan, fixture));
         report(fixture.instance, 0);

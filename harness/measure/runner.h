@@ -21,11 +21,12 @@ struct Shard {
   bool operator==(const Shard&) const = default;
 };
 
-/// What is run, and how far a pair (instance, solver) may go.
+/// What is run, and how far a pair (instance, solver from a start) may go.
 struct RunPlan {
   std::vector<Instance> instances;
   std::vector<NamedSolver> solvers;
-  StartKind start = StartKind::cold;
+  /// Each solver is run from each, one after the other.
+  std::vector<StartKind> starts = {StartKind::cold};
   double tolerance = 1e-6;                                      ///< Dimensionless, for the judge.
   std::chrono::nanoseconds timeout = std::chrono::seconds(10);  ///< Of one solve.
   /// Resident memory of a worker above what it held when it was started.
@@ -49,11 +50,12 @@ struct Progress {
 };
 
 /// Runs every open pair, each in a worker process of its own, and hands over each finished record.
-/// Records of one instance arrive together, in solver order; instances arrive in the order of the
+/// Records of one instance arrive together, in the order of solvers and of starts within them; instances arrive in the order of the
 /// plan with jobs = 1, else in the order of completion. Judging, splitting into islands, checks and
-/// I/O stay outside the clock; both steps of a two-step solve are inside.
+/// I/O stay outside the clock; both steps of a two-step solve are inside. A row from a previous
+/// solution has hash_with_previous as its sha256, since its result depends on that too.
 ///
-/// Solvers are interleaved: one repetition of each before the next repetition of any, so that drift
+/// Solvers, and each one's starts, are interleaved: one repetition of each before the next repetition of any, so that drift
 /// of the machine hits all alike. The first run of a pair decides its verdict. Where that is
 /// `solved`, it was the warm-up, and timed repetitions follow until the spread is small (3 at least)
 /// or there are max_samples; a first run longer than 1 s, or with max_samples = 1, is itself the
@@ -64,7 +66,7 @@ struct Progress {
 /// When `interrupted` becomes true the workers are killed and the function returns, after it has
 /// handed over the pairs that were finished; the others are given up. Exceptions of `finished` and
 /// `progress` (a full disk) kill the workers and pass through. Throws std::invalid_argument on a plan
-/// whose limits are not positive, whose shard does not exist or whose instances are malformed,
+/// without a start, whose limits are not positive, whose shard does not exist or whose instances are malformed,
 /// std::system_error when the system refuses a worker.
 void run(const RunPlan& plan, const std::function<void(const Record&)>& finished,
          const std::function<void(const Progress&)>& progress,

@@ -28,9 +28,10 @@ void scatter(const VectorXd& part, const std::vector<Index>& rows, VectorXd& who
     whole(rows).setConstant(std::numeric_limits<double>::quiet_NaN());
 }
 
-/// The starting rows that lie in this island, in its own numbering.
+/// The part of a start that lies in this island, in its own numbering.
 Start start_within(const Start& start, const std::vector<Index>& rows) {
   Start within;
+  if (start.z.size() > 0) within.z = start.z(rows);
   for (const Index row : start.alpha) {
     const auto place = std::lower_bound(rows.begin(), rows.end(), row);
     if (place != rows.end() && *place == row) within.alpha.push_back(place - rows.begin());
@@ -61,6 +62,12 @@ Observer observe_within(const Observer& observer, const std::vector<Index>& rows
     }
     observer(translated);
   };
+}
+
+void require_no_start(const Call& call, StartKind start) {
+  if (call.start)
+    throw std::invalid_argument(
+        fmt::format("{}: a starting basis was given, expected none", to_string(start)));
 }
 
 std::vector<Result> solve_apart(const SolveIsland& solve, const std::vector<Island>& islands,
@@ -136,10 +143,25 @@ Result solve_and_join(const SolveIsland& solve, const std::vector<Island>& islan
   return whole;
 }
 
+Result solve_from_previous(const SolveIsland& solve, const std::vector<Island>& islands, Index n,
+                           const Call& call, const std::optional<Start>& previous) {
+  Call from{.start = previous, .observer = call.observer};
+  // The empty basis, not no start at all: a method that takes none is to say so here as well.
+  if (!previous) from.start = Start{.alpha = {}, .z = VectorXd::Zero(n)};
+  Result result = solve_and_join(solve, islands, n, from);
+  if (!previous && result.claim != Claim::unsupported) {
+    ++result.work.restarts;
+    result.message = "no previous solution; started cold" +
+                     (result.message.empty() ? "" : "; " + result.message);
+  }
+  return result;
+}
+
 }  // namespace
 
 const std::vector<StartKind>& all_start_kinds() {
-  static const std::vector<StartKind> kinds = {StartKind::cold, StartKind::two_step};
+  static const std::vector<StartKind> kinds = {StartKind::cold, StartKind::two_step,
+                                               StartKind::previous};
   return kinds;
 }
 
@@ -149,6 +171,8 @@ std::string to_string(StartKind start) {
       return "cold";
     case StartKind::two_step:
       return "two-step";
+    case StartKind::previous:
+      return "previous";
   }
   return "?";
 }
@@ -164,14 +188,16 @@ StartKind start_kind_from_string(const std::string& name) {
 }
 
 Result solve_islands(const Solver& solver, const std::vector<Island>& islands, Index n,
-                     const Call& call, StartKind start) {
+                     const Call& call, StartKind start, const std::optional<Start>& previous) {
   const SolveIsland solve_from = [&solver](const Problem& problem, const Call& within) {
     return solver.solve(problem, within);
   };
   if (start == StartKind::cold) return solve_and_join(solve_from, islands, n, call);
 
-  if (call.start)
-    throw std::invalid_argument("two-step: a starting basis was given, expected none");
+  require_no_start(call, start);
+  if (start == StartKind::previous)
+    return solve_from_previous(solve_from, islands, n, call, previous);
+
   const bool any_friction = std::any_of(islands.begin(), islands.end(), [](const Island& island) {
     return has_friction(island.problem);
   });
@@ -190,7 +216,7 @@ Result solve_islands(const Solver& solver, const std::vector<Island>& islands, I
 Result solve_instance(const Solver& solver, const Instance& instance, const Call& call,
                       StartKind start) {
   return solve_islands(solver, split_islands(instance.problem), instance.problem.size(), call,
-                       start);
+                       start, instance.previous);
 }
 
 }  // namespace lcp

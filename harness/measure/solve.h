@@ -9,10 +9,11 @@
 
 namespace lcp {
 
-/// The basis from which an instance is solved.
+/// The basis or point from which an instance is solved.
 enum class StartKind {
   cold,      ///< None.
   two_step,  ///< That of each island's frictionless LCP (problems/contact/two_step.h).
+  previous,  ///< The solution of the frame before (Instance::previous).
 };
 
 const std::vector<StartKind>& all_start_kinds();
@@ -32,9 +33,13 @@ StartKind start_kind_from_string(const std::string& name);
 ///
 /// With StartKind::two_step each island is solved in two steps by itself, but one whose contacts have
 /// no friction, beside others that have some, is its own frictionless LCP and solved once, cold.
-/// Throws std::invalid_argument when `call` holds a start too.
+/// With StartKind::previous each island starts from its rows of `previous`. Where there is none, it
+/// starts from the empty basis and z = 0, that is cold: it counts one restart more, and the message
+/// begins with `no previous solution; started cold`; a refusal of any start stays `unsupported`.
+/// Both throw std::invalid_argument when `call` holds a start too.
 Result solve_islands(const Solver& solver, const std::vector<Island>& islands, Index n,
-                     const Call& call = {}, StartKind start = StartKind::cold);
+                     const Call& call = {}, StartKind start = StartKind::cold,
+                     const std::optional<Start>& previous = {});
 
 /// Splits an instance into its islands and solves them in this process.
 Result solve_instance(const Solver& solver, const Instance& instance, const Call& call = {},

@@ -18,7 +18,7 @@ struct Record {
   std::string instance;
   Index place = 0;     ///< Of the instance among all of the run, counted before it is sharded.
   std::string corpus;  ///< What comes before the first '/' of the instance's name.
-  std::string sha256;
+  std::string sha256;  ///< Of the instance, from a previous solution of that too (see run).
   Index n = 0;
   Index contacts = 0;
   std::optional<Index> active_contacts;

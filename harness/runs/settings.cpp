@@ -7,6 +7,7 @@
 #include <charconv>
 #include <map>
 #include <stdexcept>
+#include <tuple>
 
 namespace lcp {
 
@@ -37,7 +38,9 @@ RunSettings settings_of(const RunPlan& plan, const Origin& origin) {
   settings.origin = origin;
   settings.instances = static_cast<Index>(plan.instances.size());
   settings.shard = plan.shard;
-  settings.start = to_string(plan.start);
+  settings.start.clear();
+  for (const StartKind start : plan.starts)
+    settings.start += (settings.start.empty() ? "" : ", ") + to_string(start);
   settings.tolerance = plan.tolerance;
   settings.timeout_s = std::chrono::duration<double>(plan.timeout).count();
   settings.memory_bytes = plan.memory_bytes;
@@ -69,9 +72,15 @@ void append_missing(std::vector<std::string>& all, const std::vector<std::string
 void sort_rows(std::vector<Record>& rows, const std::vector<std::string>& solvers) {
   std::map<std::string, std::size_t> turn;
   for (const std::string& solver : solvers) turn.try_emplace(solver, turn.size());
-  const auto position = [&turn](const Record& row) {
-    const auto found = turn.find(row.solver);
-    return std::pair(row.place, found == turn.end() ? turn.size() : found->second);
+  std::map<std::string, std::size_t> start_turn;
+  for (const StartKind start : all_start_kinds())
+    start_turn.try_emplace(to_string(start), start_turn.size());
+  const auto turn_of = [](const auto& turns, const std::string& name) {
+    const auto found = turns.find(name);
+    return found == turns.end() ? turns.size() : found->second;
+  };
+  const auto position = [&](const Record& row) {
+    return std::tuple(row.place, turn_of(turn, row.solver), turn_of(start_turn, row.start));
   };
   std::stable_sort(rows.begin(), rows.end(),
                    [&](const Record& a, const Record& b) { return position(a) < position(b); });

@@ -26,7 +26,7 @@ struct RunSettings {
   Origin origin;
   Index instances = 0;  ///< Of all shards together.
   Shard shard;
-  std::string start = "cold";
+  std::string start = "cold";  ///< All of them, joined by ", ".
   double tolerance = 0;
   double timeout_s = 0;
   std::int64_t memory_bytes = 0;
@@ -45,8 +45,8 @@ std::vector<std::string> conflicts(const RunSettings& a, const RunSettings& b);
 /// Appends those of `more` that are not there yet.
 void append_missing(std::vector<std::string>& all, const std::vector<std::string>& more);
 
-/// Sorts rows by place, then by solver in the order of `solvers`: the order in which one
-/// uninterrupted session with one job writes them.
+/// Sorts rows by place, then by solver in the order of `solvers`, then by start in the order of
+/// all_start_kinds: the order in which one uninterrupted session with one job writes them.
 void sort_rows(std::vector<Record>& rows, const std::vector<std::string>& solvers);
 
 /// `2/4`: the second of four.

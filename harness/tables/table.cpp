@@ -82,6 +82,7 @@ class Gathering {
   void add(const Record& record, const Judged& judged) {
     ++row.instances;
     ++row.verdicts[judged.verdict];
+    row.restarted += record.work.restarts > 0;
     if (record.contacts > 0) {
       contacts_.add(static_cast<double>(record.contacts));
       if (record.active_contacts) active_.add(static_cast<double>(*record.active_contacts));
@@ -98,11 +99,30 @@ class Gathering {
     }
   }
 
+  /// Counts what the start gave or took; `cold` is the same solver's cold row of the instance.
+  void add_against(const Record& record, const Judged& judged, const Record& cold,
+                   const Judged& cold_judged) {
+    const auto counts = [](Verdict verdict) {
+      return verdict != Verdict::unsupported && verdict != Verdict::not_run;
+    };
+    if (!row.gained) row.gained = row.lost = 0;
+    if (!counts(judged.verdict) || !counts(cold_judged.verdict)) return;
+    const bool solved = judged.verdict == Verdict::solved;
+    const bool solved_cold = cold_judged.verdict == Verdict::solved;
+    *row.gained += solved && !solved_cold;
+    *row.lost += !solved && solved_cold;
+    const auto time = record.median_ns(), cold_time = cold.median_ns();
+    if (solved && solved_cold && time && cold_time && *cold_time > 0)
+      time_ratios_.push_back(static_cast<double>(*time) / static_cast<double>(*cold_time));
+  }
+
   TableRow finish() {
     row.contacts = contacts_.value();
     row.active = active_.value();
     row.pivots = pivots_.value();
     row.nodes = nodes_.value();
+    row.sweeps = sweeps_.value();
+    row.time_ratio = observed_quantile(time_ratios_, 0.5);
     row.time_median_ms = observed_quantile(times_ms_, 0.5);
     row.residual_median = observed_quantile(residuals_, 0.5);
     row.residual_max = observed_quantile(residuals_, 1.0);
@@ -129,11 +149,12 @@ class Gathering {
     if (record.accuracy) {
       pivots_.add(static_cast<double>(record.work.pivots));
       nodes_.add(static_cast<double>(record.work.nodes));
+      sweeps_.add(static_cast<double>(record.work.sweeps));
     }
   }
 
-  Mean contacts_, active_, pivots_, nodes_;
-  std::vector<double> times_ms_, residuals_;
+  Mean contacts_, active_, pivots_, nodes_, sweeps_;
+  std::vector<double> times_ms_, residuals_, time_ratios_;
 };
 
 std::string option_text(const nlohmann::json& value) {
@@ -181,6 +202,19 @@ std::map<std::string, std::string> labels(const std::vector<Record>& records) {
 
 namespace {
 
+/// The same solver on the same instance from another start. Rows of one instance share no hash where
+/// they start differently, so it is left out.
+PairKey beside(const Record& record, const std::string& start) {
+  return {record.instance, "", record.solver, start};
+}
+
+std::map<PairKey, const Record*> cold_rows(const std::vector<Record>& records) {
+  std::map<PairKey, const Record*> rows;
+  for (const Record& record : records)
+    if (record.start == "cold") rows.try_emplace(beside(record, "cold"), &record);
+  return rows;
+}
+
 /// Counts records, judged anew if `acceptance` says by what.
 Table count(const std::vector<Record>& records, const std::optional<Acceptance>& acceptance) {
   Table table;
@@ -192,6 +226,9 @@ Table count(const std::vector<Record>& records, const std::optional<Acceptance>&
   }
   std::vector<std::string> corpora;
   std::set<std::string> starts;
+  for (const Record& record : records) starts.insert(record.start);
+  table.several_starts = starts.size() > 1;
+  const std::map<PairKey, const Record*> cold = cold_rows(records);
   std::map<std::string, std::vector<Gathering>> by_corpus;
   const std::map<std::string, std::string> names = labels(records);
   for (const Record& record : records) {
@@ -200,19 +237,24 @@ Table count(const std::vector<Record>& records, const std::optional<Acceptance>&
           fmt::format("rows were judged at {} and at {}: a tolerance is needed to compare them",
                       table.tolerance, record.tolerance));
     table.jobs = std::max(table.jobs, record.jobs);
-    starts.insert(record.start);
     if (by_corpus.count(record.corpus) == 0) corpora.push_back(record.corpus);
     std::vector<Gathering>& rows = by_corpus[record.corpus];
     auto place = std::find_if(rows.begin(), rows.end(), [&](const Gathering& gathering) {
-      return gathering.row.solver == record.solver;
+      return gathering.row.solver == record.solver && gathering.row.start == record.start;
     });
     if (place == rows.end()) {
       place = rows.emplace(rows.end());
       place->row.corpus = record.corpus;
       place->row.solver = record.solver;
+      place->row.start = record.start;
       place->row.label = names.at(record.solver);
+      if (table.several_starts) place->row.label += fmt::format(" [{}]", record.start);
     }
-    place->add(record, judged(record, acceptance));
+    const Judged result = judged(record, acceptance);
+    place->add(record, result);
+    if (record.start == "cold") continue;
+    if (const auto found = cold.find(beside(record, "cold")); found != cold.end())
+      place->add_against(record, result, *found->second, judged(*found->second, acceptance));
   }
   table.start = fmt::format("{}", fmt::join(starts, ", "));
   for (const std::string& corpus : corpora)

@@ -20,7 +20,10 @@ namespace lcp {
 struct TableRow {
   std::string corpus;
   std::string solver;  ///< Full spelling.
-  std::string label;   ///< The same, with every option in which settings of one row differ.
+  std::string start;   ///< What it started from.
+  /// The spelling, with every option in which settings of one row differ, and where rows of the table
+  /// start differently ` [START]`.
+  std::string label;
   Index instances = 0;
   std::optional<double> contacts;  ///< Mean over instances with contact; empty without any.
   std::optional<double> active;    ///< Mean over those of them where it is known.
@@ -37,17 +40,26 @@ struct TableRow {
   std::map<Verdict, Index> verdicts;  ///< Of all instances, trivial ones included.
   std::optional<double> pivots;       ///< Mean.
   std::optional<double> nodes;        ///< Mean.
+  std::optional<double> sweeps;       ///< Mean.
   std::optional<double> time_median_ms;
   std::optional<double> residual_median;
   std::optional<double> residual_max;
+  /// Against the same solver's cold solves of the same instances in the same table; empty in rows that
+  /// are cold themselves, and where there are none. Unsupported and not-run instances do not count.
+  std::optional<double> gained;      ///< Instances solved that it does not solve cold.
+  std::optional<double> lost;        ///< Instances that it solves cold alone.
+  std::optional<double> time_ratio;  ///< Median of time over time cold, where both are solved.
+  Index restarted = 0;  ///< Instances where a start was replaced by a cold one (Work::restarts).
 };
 
 struct Table {
-  std::vector<TableRow> rows;  ///< By corpus, then by solver, each in order of first appearance.
-  double tolerance = 0;        ///< At which `solved` was judged,
+  /// By corpus, then by solver and its start, each in order of first appearance.
+  std::vector<TableRow> rows;
+  double tolerance = 0;  ///< At which `solved` was judged,
   Acceptance::Criterion criterion = Acceptance::Criterion::residual;  ///< and by what.
   std::string start;  ///< Of the rows; where they differ, all kinds, joined by ", ".
-  int jobs = 1;       ///< Most pairs that ran at the same time: it disturbs times.
+  bool several_starts = false;
+  int jobs = 1;  ///< Most pairs that ran at the same time: it disturbs times.
 };
 
 /// The verdict of a record at another tolerance, from its stored residual: a claim `solved` that

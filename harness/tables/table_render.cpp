@@ -22,11 +22,12 @@ struct Quantity {
   bool counted;        ///< A whole number.
   const char* number;  ///< Format of a value.
   bool always;         ///< In a terminal: shown even when 0 everywhere.
+  bool of_starts;      ///< Shown to readers only where rows start differently.
   std::function<std::optional<double>(const TableRow&)> value;
 };
 
 Quantity count(std::string key, std::string heading, std::string printed, std::string meaning,
-               Index TableRow::*field, bool always = true) {
+               Index TableRow::*field, bool always = true, bool of_starts = false) {
   return {std::move(key),
           std::move(heading),
           std::move(printed),
@@ -34,18 +35,21 @@ Quantity count(std::string key, std::string heading, std::string printed, std::s
           true,
           "{:.0f}",
           always,
+          of_starts,
           [field](const TableRow& row) { return double(row.*field); }};
 }
 
 Quantity number(std::string key, std::string heading, std::string printed, std::string meaning,
-                const char* format, std::optional<double> TableRow::*field) {
+                const char* format, std::optional<double> TableRow::*field, bool always = true,
+                bool of_starts = false) {
   return {std::move(key),
           std::move(heading),
           std::move(printed),
           std::move(meaning),
           false,
           format,
-          true,
+          always,
+          of_starts,
           [field](const TableRow& row) { return row.*field; }};
 }
 
@@ -82,6 +86,18 @@ const std::vector<Quantity>& solver_quantities() {
       number("pivots", "pivots", "pivots", "mean of basis changes, abandoned branches included",
              "{:.1f}", &TableRow::pivots),
       number("nodes", "nodes", "nodes", "mean of search nodes opened", "{:.1f}", &TableRow::nodes),
+      number("sweeps", "sweeps", "sweeps", "mean of an iterative method's sweeps", "{:.1f}",
+             &TableRow::sweeps, false, true),
+      number("gained", "gained", "gained", "instances solved that the solver does not solve cold",
+             "{:.0f}", &TableRow::gained, true, true),
+      number("lost", "lost", "lost", "instances that it solves cold alone", "{:.0f}",
+             &TableRow::lost, true, true),
+      count("restarted", "again", "restarted",
+            "instances where a start was replaced by a cold one, or a search by another",
+            &TableRow::restarted, false, true),
+      number("time_ratio", "t/cold", "time / time cold",
+             "median of time over time cold, where both are solved", "{:.2f}",
+             &TableRow::time_ratio, true, true),
       number("time_median_ms", "ms", "median time (ms)", "median time of the solved", "{:#.3g}",
              &TableRow::time_median_ms),
       number("residual_median", "resid", "median residual",
@@ -140,7 +156,8 @@ std::string text(const Table& table) {
     const bool any = std::any_of(table.rows.begin(), table.rows.end(), [&](const TableRow& row) {
       return quantity.value(row).value_or(0) != 0;
     });
-    if (quantity.always || any) shown.push_back(quantity);
+    const bool has_place = quantity.always || any;
+    if (has_place && (table.several_starts || !quantity.of_starts)) shown.push_back(quantity);
   }
   std::size_t width = least_name_width;
   for (const TableRow& row : table.rows)
@@ -194,7 +211,7 @@ nlohmann::ordered_json to_json(const TableRow& row, const Table& table) {
     json["verdicts"][to_string(verdict)] = number_of;
   json["criterion"] = to_string(table.criterion);
   json["tolerance"] = table.tolerance;
-  json["start"] = table.start;
+  json["start"] = row.start;
   json["jobs"] = table.jobs;
   return json;
 }
@@ -217,7 +234,7 @@ std::string csv(const Table& table) {
       out += fmt::format(",{}", value ? shortest(*value) : "");
     });
     out += fmt::format(",{},{},{},{}\n", to_string(table.criterion), table.tolerance,
-                       csv_quoted(table.start), table.jobs);
+                       csv_quoted(row.start), table.jobs);
   }
   return out;
 }
@@ -249,6 +266,7 @@ std::string latex(const Table& table) {
     for (const TableRow& row : block) out += " & " + column_head(row);
     out += " \\\\ \\hline\n";
     each_quantity([&](const Quantity& quantity) {
+      if (quantity.of_starts && !table.several_starts) return;
       out += quantity.printed;
       for (const TableRow& row : block) out += " & " + cell(quantity, row, "--");
       out += " \\\\\n";

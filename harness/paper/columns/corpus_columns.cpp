@@ -82,7 +82,7 @@ void run_part(const PaperDirectory& directory, const OpenPart& open, const Corpu
       plan.instances.push_back(std::move(instance));
   if (plan.instances.empty()) return;
   plan.solvers = make_solvers(open.solvers);
-  plan.start = open.part->start;
+  plan.starts = {open.part->start};
   plan.jobs = run.jobs;
   plan.max_samples = run.samples;
   const Origin origin{
