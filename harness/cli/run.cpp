@@ -48,7 +48,9 @@ Verb add_run(CLI::App& program) {
       "DIR is "
       "runs/SUITE unless --out names it.\n"
       "Example:\n"
-      "  lcpbench run --suite small --solver 'best-first*' --solver lexicographic:delta=1e-10");
+      "  lcpbench run --suite small --solver 'best-first*' --solver lexicographic:delta=1e-10\n"
+      "  lcpbench run --suite contact --start cold --start two-step --start previous --solver "
+      "best-first");
   return {page, [arguments] { return run_suite_or_corpora(*arguments); }};
 }
 

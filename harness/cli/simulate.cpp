@@ -166,6 +166,7 @@ Verb add_simulate(CLI::App& program) {
       "  lcpbench simulate squat\n"
       "  lcpbench simulate squat:reduction=paper --solver lexicographic:delta=1e-8 --criterion "
       "paper\n"
+      "  lcpbench simulate squat:start=previous --solver best-first:restart=cold\n"
       "  lcpbench simulate squat --picture squat.svg --at 0,0.25,0.5\n"
       "  lcpbench simulate tap-dance --dump runs/tap --log runs/tap.csv\n"
       "  lcpbench simulate hoist --dump runs/hoist --every 100");

@@ -130,7 +130,9 @@ Verb add_solve(CLI::App& program) {
                  "Print every pivot: what enters and leaves, ratio, ties, size, condition");
   page->add_flag("--json", arguments->json, "As JSON");
   add_reading_option(*page, arguments->reading);
-  page->footer("Example:\n  lcpbench solve squat.hdf5#squat-like/0003 --solver best-first --trace");
+  page->footer(
+      "Example:\n  lcpbench solve squat.hdf5#squat-like/0003 --solver best-first --trace\n"
+      "  lcpbench solve squat.hdf5 --solver best-first --start cold --start previous");
   return {page, [arguments] { return solve(*arguments); }};
 }
 

@@ -102,6 +102,42 @@ TEST_F(Runs, StartTwoStepIsInRowsSettingsAndTableAndPartOfTheQuestion) {
   EXPECT_EQ(cold.at("work").at("frictionless_pivots"), 0);
 }
 
+TEST_F(Runs, SeveralStartsAreRowsOfOneRunAndATableOfGainsAndLosses) {
+  ASSERT_EQ(run({"generate", "squat-like", "--count", "3", "--out", "p.hdf5"}).status, 0);
+  const std::vector<std::string> starts = {"--start", "previous", "--start",
+                                           "cold",    "--start",  "two-step"};
+  const Ran ran = measure("r", starts);
+  ASSERT_EQ(ran.status, 0) << ran.err;
+  EXPECT_EQ(rows("r"), 18);
+  EXPECT_EQ(Json::parse(read_text(file("r/run.json"))).at("start"), "cold, two-step, previous");
+  for (const char* words : {"best-first [cold]", "best-first [two-step]", "best-first [previous]",
+                            "gained    lost", "t/cold"})
+    EXPECT_NE(ran.out.find(words), std::string::npos) << words << " in\n" << ran.out;
+  const Json table = Json::parse(run({"table", "r", "--format", "json"}).out).at("rows");
+  ASSERT_EQ(table.size(), 6u);
+  EXPECT_EQ(table[3].at("start"), "cold");
+  EXPECT_TRUE(table[3].at("gained").is_null());
+  EXPECT_EQ(table[5].at("start"), "previous");
+  EXPECT_EQ(table[5].at("lost"), 0);
+  EXPECT_EQ(table[5].at("restarted"), 1) << "the first frame";
+
+  const Ran left =
+      measure("r", {"--start", "previous", "--start", "cold", "--start", "two-step", "--resume"});
+  EXPECT_NE(left.err.find("18 rows stood there, 0 are new"), std::string::npos) << left.err;
+  expect_complaint(measure("r", {"--resume"}), 2, "start cold, two-step, previous, cold");
+  EXPECT_EQ(run({"compare", "r", "r"}).status, 0);
+
+  const Ran dry = measure("s", {"--start", "cold", "--start", "previous", "--dry-run"});
+  EXPECT_NE(dry.out.find("squat-like/0001 lemke previous\n"), std::string::npos) << dry.out;
+  const Ran solved = run({"solve", "p.hdf5#squat-like/0001", "--solver", "best-first", "--start",
+                          "previous", "--start", "cold", "--json"});
+  const Json results = Json::parse(solved.out).at("results");
+  ASSERT_EQ(results.size(), 2u);
+  EXPECT_EQ(results[0].at("start"), "cold");
+  EXPECT_GT(results[1].at("work").at("start_pivots"), 0);
+  EXPECT_LT(results[1].at("work").at("pivots"), results[0].at("work").at("pivots"));
+}
+
 TEST_F(Runs, ADryRunTellsWhatIsLeftAndHowLongItTakes) {
   const Ran before = measure("runs/r", {"--dry-run"});
   EXPECT_NE(before.err.find("4 that no run below runs/ has measured: at most 40 s"),

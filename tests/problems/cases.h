@@ -53,4 +53,9 @@ inline Problem plain() {
   return problem;
 }
 
+/// A solution of the frame before for it; -0 is there to be kept.
+inline Start previous_of_contacts() {
+  return {.alpha = {0, 6}, .z = VectorXd{{1.0 / 3, 0, -0.0, 0, 0, 0, 2e-300}}};
+}
+
 }  // namespace lcp::cases

@@ -65,6 +65,33 @@ TEST(MakeInstance, LeavesNameAndProvenanceOutOfTheHash) {
   EXPECT_EQ(one.sha256, two.sha256);
 }
 
+TEST(HashWithPrevious, IsThatOfTheContentWhereThereIsNoneAndDiffersWithEveryFieldOfIt) {
+  Instance instance = make_instance("a", cases::with_contacts(), {});
+  std::set<std::string> hashes = {hash_with_previous(instance)};
+  EXPECT_EQ(*hashes.begin(), content_hash(cases::with_contacts()));
+  instance.previous = Start{};
+  hashes.insert(hash_with_previous(instance));
+  instance.previous = cases::previous_of_contacts();
+  hashes.insert(hash_with_previous(instance));
+  instance.previous->alpha.pop_back();
+  hashes.insert(hash_with_previous(instance));
+  instance.previous->z(3) = 1;
+  hashes.insert(hash_with_previous(instance));
+  instance.sha256 = std::string(64, '0');
+  hashes.insert(hash_with_previous(instance));
+  EXPECT_EQ(hashes.size(), 6u);
+}
+
+TEST(CheckStart, WantsAscendingRowsAndAPointOfTheRightSize) {
+  check(Start{.alpha = {0, 2}, .z = VectorXd::Zero(3)}, 3, "here");
+  check(Start{}, 3, "here");
+  constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+  for (const Start& wrong : {Start{.alpha = {3}}, Start{.alpha = {-1}}, Start{.alpha = {1, 1}},
+                             Start{.alpha = {2, 0}}, Start{.alpha = {}, .z = VectorXd::Zero(2)},
+                             Start{.alpha = {}, .z = VectorXd::Constant(3, nan)}})
+    EXPECT_THROW(check(wrong, 3, "here"), std::invalid_argument);
+}
+
 TEST(MakeInstance, GivesPlainScalesToAProblemWithoutAny) {
   Problem bare;
   bare.M = MatrixXd{{2, 0}, {0, -8}};

@@ -1,5 +1,8 @@
 #include <gtest/gtest.h>
 
+#include <limits>
+#include <stdexcept>
+
 #include "solvers/registry.h"
 #include "tests/solvers/cases.h"
 
@@ -136,7 +139,38 @@ TEST(ProjectedGaussSeidel, DoesNotSupportADiagonalThatIsNotPositive) {
   EXPECT_EQ(solve(stuck).claim, Claim::unsupported);
 }
 
-TEST(ProjectedGaussSeidel, TakesNoStartingBasis) {
+TEST(ProjectedGaussSeidel, FromItsOwnSolutionNeedsNoSweep) {
+  for (const Problem& problem : {cases::positive_definite(20, 1), one_contact(0.5, {-1, 0.3, 0}),
+                                 one_contact(0.1, {-1, 2, 1})}) {
+    const Result cold = solve(problem, ":tolerance=1e-12,check_every=1");
+    ASSERT_EQ(cold.claim, Claim::solved);
+    ASSERT_GT(cold.work.sweeps, 0);
+    const Call call{.start = Start{.alpha = {0}, .z = cold.z}, .observer = {}};
+    const Result warm = solve(problem, ":tolerance=1e-11", call);
+    EXPECT_EQ(warm.claim, Claim::solved);
+    EXPECT_EQ(warm.work.sweeps, 0);
+    EXPECT_LT((warm.z - cold.z).cwiseAbs().maxCoeff(), 1e-10);
+  }
+}
+
+TEST(ProjectedGaussSeidel, FromZeroIsTheColdSolve) {
+  const Problem problem = one_contact(0.5, {-1, 0.3, 0});
+  const Call call{.start = Start{.alpha = {}, .z = VectorXd::Zero(6)}, .observer = {}};
+  const Result cold = solve(problem), warm = solve(problem, "", call);
+  EXPECT_EQ(warm.z, cold.z);
+  EXPECT_EQ(warm.work.sweeps, cold.work.sweeps);
+}
+
+TEST(ProjectedGaussSeidel, RefusesAPointOfAnotherSizeOrNotFinite) {
+  const Problem problem = cases::positive_definite(3, 1);
+  for (const VectorXd& z :
+       {VectorXd(VectorXd::Zero(2)),
+        VectorXd(VectorXd::Constant(3, std::numeric_limits<double>::infinity()))})
+    EXPECT_THROW(solve(problem, "", {.start = Start{.alpha = {}, .z = z}, .observer = {}}),
+                 std::invalid_argument);
+}
+
+TEST(ProjectedGaussSeidel, TakesNoStartingBasisWithoutAPoint) {
   Call call;
   call.start = Start{{0}};
   const Result result = solve(cases::positive_definite(3, 1), "", call);

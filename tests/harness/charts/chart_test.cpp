@@ -35,6 +35,16 @@ TEST(Chart, PointsAreMediansAndQuartilesOverTheSolved) {
   EXPECT_DOUBLE_EQ(points[0].residual.value().median, 1e-14);
 }
 
+TEST(Chart, HasAPointPerStart) {
+  std::vector<Record> records = {solved("c/0", "a", 1e-14), solved("c/0", "a", 1e-10)};
+  records[1].start = "previous";
+  const std::vector<ChartPoint> points = chart_points(records);
+  ASSERT_EQ(points.size(), 2u);
+  EXPECT_EQ(points[0].row, "a [cold]");
+  EXPECT_EQ(points[1].label, "a [previous]");
+  EXPECT_DOUBLE_EQ(points[1].residual.value().median, 1e-10);
+}
+
 TEST(Chart, ASolverThatSolvedNothingHasNoPointButIsCounted) {
   const std::vector<ChartPoint> points =
       chart_points({made_up("c/0", "a", Verdict::ray, Claim::ray, 1)});

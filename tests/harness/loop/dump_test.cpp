@@ -130,6 +130,40 @@ TEST(CorpusDump, NamesThePredecessor) {
             "none");
 }
 
+TEST(CorpusDump, KeepsTheSolutionOfTheFrameBeforeThoughThatIsNotDumped) {
+  TemporaryDirectory directory;
+  NamedScene scene = make_scene("squat:points=8");
+  scene.setup.duration = 6e-3;
+  CorpusDump dump(directory.file("corpus"), scene.spelling, "best-first");
+  std::map<std::string, VectorXd>
+      found;  // in rows of the frame before, whose contacts are the same
+  const std::atomic<bool> interrupted = false;
+  run_in_the_loop(
+      scene, make_solver("best-first"), {},
+      [&](const Simulation& simulation, const Frame& frame, const FrameRecord&) {
+        if (frame.number == 1 || frame.number == 4) dump.add(simulation, frame);
+        if (frame.number != 3) return;
+        found["squat:points=8/00004"] = frame.solution.with_friction.z;
+        found["squat:points=8+composite/00004"] = frame.solution.with_friction.z;
+        found["squat:points=8+frictionless/00004"] = frame.solution.without_friction.z;
+        found["squat:points=8+composite+frictionless/00004"] = frame.solution.without_friction.z;
+      },
+      interrupted);
+  dump.close();
+  Index checked = 0;
+  for (const Instance& instance : load_instances(directory.file("corpus"))) {
+    if (instance.name.ends_with("/00001")) {
+      EXPECT_FALSE(instance.previous) << "nothing touched before";
+      continue;
+    }
+    ASSERT_TRUE(instance.previous) << instance.name;
+    EXPECT_EQ(instance.previous->z, found.at(instance.name)) << instance.name;
+    EXPECT_FALSE(instance.previous->alpha.empty());
+    ++checked;
+  }
+  EXPECT_EQ(checked, 4);
+}
+
 TEST(CorpusDump, WithoutItsEndIsReadableUpToTheLastClosedShard) {
   TemporaryDirectory directory;
   dump_squat(directory.file("corpus"), 115, false);

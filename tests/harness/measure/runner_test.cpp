@@ -264,7 +264,7 @@ TEST(Run, InTwoStepsJudgesTheFrictionalLcpAndSaysSoInEveryRow) {
   RunPlan plan = plan_of({"best-first", "projected-gauss-seidel"});
   plan.instances = generate("squat-like", {.count = 4});
   plan.instances.push_back(identity_instance("identity/0"));
-  plan.start = StartKind::two_step;
+  plan.starts = {StartKind::two_step};
   const std::vector<Record> records = records_of(plan);
   ASSERT_EQ(records.size(), 10u);
   for (const Record& record : records) {
@@ -279,8 +279,8 @@ TEST(Run, InTwoStepsJudgesTheFrictionalLcpAndSaysSoInEveryRow) {
       EXPECT_GT(record.work.frictionless_pivots, 0);
       EXPECT_EQ(record.times_ns.size(), 3u) << "equal bits in every repetition";
     } else {
-      EXPECT_EQ(record.verdict, Verdict::unsupported);
-      EXPECT_EQ(record.message, "two-step: the solver returns no basis to start from");
+      EXPECT_EQ(record.verdict, Verdict::solved) << record.message;
+      EXPECT_EQ(record.work.frictionless_pivots, 0);
     }
   }
 }
@@ -289,8 +289,38 @@ TEST(Run, APairDoneColdIsNotDoneInTwoSteps) {
   RunPlan plan = plan_of({"lemke"});
   plan.done = {{"identity/0", plan.instances[0].sha256, "lemke", "cold"}};
   EXPECT_TRUE(open_pairs(plan).empty());
-  plan.start = StartKind::two_step;
+  plan.starts = {StartKind::two_step};
   EXPECT_EQ(open_pairs(plan).at(0).start, "two-step");
+}
+
+TEST(Run, FromSeveralStartsHasARowOfEachInTheirOrder) {
+  RunPlan plan = plan_of({"best-first", "projected-gauss-seidel"});
+  plan.instances = generate("squat-like", {.count = 2});
+  plan.starts = {StartKind::cold, StartKind::two_step, StartKind::previous};
+  const std::vector<Record> records = records_of(plan);
+  ASSERT_EQ(records.size(), 12u);
+  const std::vector<PairKey> pairs = open_pairs(plan);
+  for (std::size_t i = 0; i < records.size(); ++i) {
+    EXPECT_EQ(key_of(records[i]), pairs[i]);
+    EXPECT_EQ(records[i].start, to_string(plan.starts[i % 3]));
+    EXPECT_EQ(records[i].verdict, Verdict::solved) << records[i].message;
+  }
+  EXPECT_EQ(records[2].message, "no previous solution; started cold");
+  EXPECT_EQ(records[2].sha256, plan.instances[0].sha256);
+  EXPECT_EQ(records[6].sha256, plan.instances[1].sha256) << "cold";
+  EXPECT_EQ(records[8].sha256, hash_with_previous(plan.instances[1]));
+  EXPECT_NE(records[8].sha256, records[6].sha256);
+  EXPECT_EQ(records[8].message, "");
+  EXPECT_EQ(records[8].work.start_pivots, Index(plan.instances[1].previous->alpha.size()));
+  plan.done = {pairs.begin() + 1, pairs.end()};
+  ASSERT_EQ(open_pairs(plan).size(), 1u);
+  EXPECT_EQ(open_pairs(plan)[0].start, "cold");
+}
+
+TEST(Run, WithoutAStartIsRefused) {
+  RunPlan plan = plan_of({"lemke"});
+  plan.starts.clear();
+  EXPECT_THROW(records_of(plan), std::invalid_argument);
 }
 
 TEST(Run, LeavesOutOtherShardsAndPairsThatAreDone) {

@@ -247,6 +247,87 @@ TEST(SolveInTwoSteps, RefusesAnotherStartBeside) {
                std::invalid_argument);
 }
 
+/// Its cold solution by best-first, as if of the frame before.
+Instance with_own_solution(Instance instance) {
+  const Result solution = solve_instance(*make_solver("best-first").solver, instance);
+  instance.previous = Start{.alpha = *solution.basis, .z = solution.z};
+  return instance;
+}
+
+TEST(SolveFromPrevious, StartsEachIslandFromItsOwnRows) {
+  const Instance instance = with_own_solution(two_particles(vec({0.2, 0.3})));
+  std::vector<VectorXd> points;
+  const Scripted looks([&](Index n, const Call& call) {
+    points.push_back(call.start.value().z);
+    EXPECT_EQ(call.start->alpha.front(), 0);
+    return result_of(Claim::solved, VectorXd::Zero(n));
+  });
+  solve_instance(looks, instance, {}, StartKind::previous);
+  ASSERT_EQ(points.size(), 2u);
+  const std::vector<Island> islands = split_islands(instance.problem);
+  for (std::size_t k = 0; k < 2; ++k)
+    EXPECT_EQ(points[k], VectorXd(instance.previous->z(islands[k].rows)));
+  EXPECT_NE(points[0], points[1]) << "their friction differs";
+}
+
+TEST(SolveFromPrevious, NeedsNoPivotWhereNothingHasChanged) {
+  const Instance instance = with_own_solution(two_particles(vec({0.2, 0.3})));
+  for (const char* spelling : {"best-first", "best-first-lexicographic", "lexicographic-revised",
+                               "lexicographic", "best-first-tableau"}) {
+    const Result whole =
+        solve_instance(*make_solver(spelling).solver, instance, {}, StartKind::previous);
+    EXPECT_EQ(judge(instance, whole, 1e-12).verdict, Verdict::solved) << spelling;
+    EXPECT_EQ(whole.work.pivots, 0) << spelling;
+    EXPECT_EQ(whole.work.start_pivots, static_cast<Index>(instance.previous->alpha.size()));
+    EXPECT_EQ(whole.work.restarts, 0);
+    EXPECT_EQ(whole.message, "");
+  }
+  const Result swept = solve_instance(*make_solver("projected-gauss-seidel").solver, instance, {},
+                                      StartKind::previous);
+  EXPECT_EQ(swept.claim, Claim::solved);
+  EXPECT_EQ(swept.work.sweeps, 0);
+}
+
+TEST(SolveFromPrevious, WithoutOneIsTheColdSolveAndCountsIt) {
+  const Instance instance = two_particles(vec({0.2, 0.3}));
+  for (const char* spelling : {"best-first", "lexicographic-revised", "projected-gauss-seidel"}) {
+    const NamedSolver solver = make_solver(spelling);
+    const Result cold = solve_instance(*solver.solver, instance);
+    const Result whole = solve_instance(*solver.solver, instance, {}, StartKind::previous);
+    EXPECT_EQ(whole.z, cold.z);
+    EXPECT_EQ(whole.work.pivots, cold.work.pivots);
+    EXPECT_EQ(whole.work.sweeps, cold.work.sweeps);
+    EXPECT_EQ(whole.work.restarts, cold.work.restarts + 1);
+    EXPECT_EQ(whole.message, "no previous solution; started cold");
+  }
+  const Scripted takes_none([](Index n, const Call& call) {
+    return result_of(call.start ? Claim::unsupported : Claim::solved, VectorXd::Zero(n));
+  });
+  const Result refused = solve_instance(takes_none, instance, {}, StartKind::previous);
+  EXPECT_EQ(refused.claim, Claim::unsupported);
+  EXPECT_EQ(refused.work.restarts, 0);
+}
+
+TEST(SolveFromPrevious, ASingularBasisIsAResultAndMayBeReplaced) {
+  Instance instance = two_particles(vec({0.2, 0.3}));
+  instance.previous = Start{.alpha = {instance.problem.friction->cone_row[0]},
+                            .z = VectorXd::Zero(instance.problem.size())};
+  const Result whole =
+      solve_instance(*make_solver("best-first").solver, instance, {}, StartKind::previous);
+  EXPECT_EQ(whole.claim, Claim::singular);
+  EXPECT_EQ(whole.message, "island 0: start not usable");
+  const Result again = solve_instance(*make_solver("best-first:restart=cold").solver, instance, {},
+                                      StartKind::previous);
+  EXPECT_EQ(again.claim, Claim::solved);
+  EXPECT_EQ(again.work.restarts, 1);
+}
+
+TEST(SolveFromPrevious, RefusesAnotherStartBeside) {
+  EXPECT_THROW(solve_instance(Noting(), two_particles(vec({0.2, 0.3})),
+                              {.start = Start{{0}}, .observer = {}}, StartKind::previous),
+               std::invalid_argument);
+}
+
 TEST(StartKind, IsSpelledAsOnTheCommandLine) {
   for (const StartKind kind : all_start_kinds())
     EXPECT_EQ(start_kind_from_string(to_string(kind)), kind);

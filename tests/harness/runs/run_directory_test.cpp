@@ -90,7 +90,7 @@ TEST_F(RunDirectory, IsNotResumedAsSomethingElse) {
   plan.tolerance = 1e-9;
   expect_refused(plan, "tolerance 1e-06, 1e-09");
   plan = small_plan();
-  plan.start = StartKind::two_step;
+  plan.starts = {StartKind::two_step};
   expect_refused(plan, "start cold, two-step");
   plan = small_plan();
   plan.shard = {1, 2};
@@ -104,14 +104,14 @@ TEST_F(RunDirectory, IsNotResumedAsSomethingElse) {
 TEST_F(RunDirectory, InTwoStepsIsResumedAsSuchAndHoldsTheSameRows) {
   RunPlan plan = small_plan();
   plan.instances = generate("squat-like", {.count = 2});
-  plan.start = StartKind::two_step;
+  plan.starts = {StartKind::two_step};
   run_small(at("whole"), plan);
   run_small(at("r"), plan, Existing::refuse, 2);
   const RunReport last = run_small(at("r"), plan, Existing::resume);
   EXPECT_EQ(last.rows_before + last.rows, 6u);
   EXPECT_EQ(deterministic_rows(at("r")), deterministic_rows(at("whole")));
   EXPECT_EQ(read_run_header(at("r")).settings.start, "two-step");
-  plan.start = StartKind::cold;
+  plan.starts = {StartKind::cold};
   expect_refused(plan, "start two-step, cold");
 }
 

@@ -36,8 +36,10 @@ TEST(RunSettings, ComeBackFromJsonAsTheyWere) {
 TEST(RunSettings, TakeTheStartFromThePlan) {
   RunPlan plan;
   EXPECT_EQ(settings_of(plan, {}).start, "cold");
-  plan.start = StartKind::two_step;
+  plan.starts = {StartKind::two_step};
   EXPECT_EQ(settings_of(plan, {}).start, "two-step");
+  plan.starts = {StartKind::cold, StartKind::previous};
+  EXPECT_EQ(settings_of(plan, {}).start, "cold, previous");
 }
 
 TEST(RunSettings, AMissingFieldOrAnotherSchemaIsNamed) {
@@ -89,6 +91,19 @@ TEST(SortRows, GoesByPlaceThenBySolverAsListed) {
   std::string order;
   for (const Record& row : rows) order += std::to_string(row.place) + row.solver + " ";
   EXPECT_EQ(order, "0a 0b 0z 1a 1b 1z ");
+}
+
+TEST(SortRows, PutsTheStartsOfASolverInTheirOrder) {
+  std::vector<Record> rows;
+  for (const char* start : {"previous", "cold", "two-step"})
+    for (const char* solver : {"b", "a"}) {
+      rows.push_back(solved("x", solver, 0));
+      rows.back().start = start;
+    }
+  sort_rows(rows, {"a", "b"});
+  std::string order;
+  for (const Record& row : rows) order += row.solver + "-" + row.start + " ";
+  EXPECT_EQ(order, "a-cold a-two-step a-previous b-cold b-two-step b-previous ");
 }
 
 }  // namespace

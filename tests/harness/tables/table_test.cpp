@@ -105,6 +105,55 @@ TEST(Table, SaysHowItsSolvesStartedUnlessCold) {
   EXPECT_EQ(make_table({record, solved("c/0", "a", 0)}).start, "cold, two-step");
 }
 
+/// Row `start` of what solver a did on instance c/`number`, in `ms`.
+Record started(const std::string& start, int number, Verdict verdict, int ms) {
+  Record record = with_verdict("c/" + std::to_string(number), verdict);
+  record.start = start;
+  record.times_ns = {ms * 1'000'000};
+  return record;
+}
+
+TEST(Table, HasARowPerStartWithWhatItGainsAndLosesAgainstCold) {
+  const std::vector<Record> records = {
+      started("cold", 0, Verdict::solved, 4),     started("previous", 0, Verdict::solved, 1),
+      started("cold", 1, Verdict::ray, 1),        started("previous", 1, Verdict::solved, 9),
+      started("cold", 2, Verdict::solved, 2),     started("previous", 2, Verdict::singular, 1),
+      started("cold", 3, Verdict::solved, 2),     started("previous", 3, Verdict::solved, 1),
+      started("cold", 4, Verdict::solved, 2),     started("previous", 4, Verdict::solved, 2),
+      started("previous", 5, Verdict::solved, 7), started("two-step", 0, Verdict::unsupported, 1)};
+  const Table table = make_table(records);
+  EXPECT_TRUE(table.several_starts);
+  ASSERT_EQ(table.rows.size(), 3u);
+  EXPECT_EQ(table.rows[0].label, "a [cold]");
+  EXPECT_EQ(table.rows[0].success, 4);
+  EXPECT_FALSE(table.rows[0].gained || table.rows[0].lost || table.rows[0].time_ratio);
+  const TableRow& previous = table.rows[1];
+  EXPECT_EQ(previous.start, "previous");
+  EXPECT_EQ(previous.label, "a [previous]");
+  EXPECT_EQ(previous.success, 5);
+  EXPECT_EQ(previous.gained, 1);
+  EXPECT_EQ(previous.lost, 1);
+  EXPECT_EQ(previous.time_ratio, 0.5) << "of 0.25, 0.5 and 1";
+  EXPECT_EQ(table.rows[2].unsupported, 1);
+  EXPECT_EQ(table.rows[2].lost, 0) << "what does not apply loses nothing";
+}
+
+TEST(Table, OfOneStartSaysNothingOfGains) {
+  const Table table = make_table({started("previous", 0, Verdict::solved, 1)});
+  EXPECT_FALSE(table.several_starts);
+  EXPECT_EQ(table.rows.front().label, "a");
+  EXPECT_EQ(render(table, TableFormat::text).find("gained"), std::string::npos);
+  EXPECT_EQ(render(table, TableFormat::latex).find("gained"), std::string::npos);
+}
+
+TEST(Table, JudgesGainsAtItsOwnTolerance) {
+  std::vector<Record> records = {started("cold", 0, Verdict::solved, 1),
+                                 started("previous", 0, Verdict::solved, 1)};
+  records[0].accuracy->residual = 1e-8;
+  EXPECT_EQ(make_table(records).rows[1].gained, 0);
+  EXPECT_EQ(make_table(records, 1e-10).rows[1].gained, 1);
+}
+
 TEST(Table, AveragesContactsOverInstancesWithContact) {
   std::vector<Record> records = {solved("c/0", "a", 0), solved("c/1", "a", 0),
                                  solved("c/2", "a", 0)};

@@ -176,6 +176,37 @@ TEST(SolveContacts, WithoutABasisTheFrictionalLcpIsStartedCold) {
   EXPECT_EQ(solution.with_friction.work.restarts, 1);
 }
 
+TEST(SolveContacts, PreviousStartsFromTheSolutionOfTheFrameBefore) {
+  for (const bool active_only : {false, true}) {
+    const ContactModel model = {
+        .friction = kFour, .start = Start::previous, .active_only = active_only};
+    std::vector<Question> asked;
+    const ContactProblem problem = four_contacts();
+    const ContactSolution first = solve_contacts(problem, model, scripted(asked));
+    EXPECT_FALSE(asked.at(1).call.start) << "there was none before";
+    EXPECT_EQ(first.with_friction.work.restarts, 1);
+    EXPECT_GT(first.with_friction.work.pivots, 0);
+    const FrameSolutions solutions = accepted_solutions(first, problem.contacts);
+    ASSERT_TRUE(solutions.frictional && solutions.frictionless);
+    const ContactSolution second =
+        solve_contacts(problem, model, scripted(asked), solutions.frictional);
+    EXPECT_FALSE(asked.at(2).call.start) << "the frictionless LCP is solved cold";
+    EXPECT_EQ(second.with_friction.work.restarts, 0);
+    EXPECT_EQ(second.with_friction.work.pivots, 0) << "nothing has changed";
+    EXPECT_LT((second.forces - first.forces).cwiseAbs().maxCoeff(), 1e-12);
+  }
+}
+
+TEST(SolveContacts, LeavesNothingToTheNextFrameThatWasNotAccepted) {
+  std::vector<Question> asked;
+  const ContactProblem problem = four_contacts();
+  const ContactSolution solution =
+      solve_contacts(problem, {.friction = kFour}, scripted(asked, has_friction));
+  const FrameSolutions solutions = accepted_solutions(solution, problem.contacts);
+  EXPECT_FALSE(solutions.frictional);
+  EXPECT_TRUE(solutions.frictionless);
+}
+
 class ActiveOnly : public testing::TestWithParam<Start> {
  protected:
   ContactSolution solve(const ContactProblem& problem, std::vector<Question>& asked) const {

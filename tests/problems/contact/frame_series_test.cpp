@@ -33,6 +33,24 @@ TEST(FrameSeries, AppliesTheForcesOfTheFrictionalProblem) {
   EXPECT_EQ(frames[1].provenance.at("fallbacks"), "0");
 }
 
+TEST(FrameSeries, KeepsTheSolutionOfTheFrameBefore) {
+  FrameSeries series("scene", "best-first", {});
+  series.add(coupled_contact(), 0, "dropped");
+  series.add(coupled_contact(), 1, "shaken");
+  const std::vector<Instance> frames = series.take();
+  EXPECT_FALSE(frames[0].previous);
+  ASSERT_TRUE(frames[1].previous);
+  const Result solution = make_solver("best-first").solver->solve(frames[0].problem);
+  EXPECT_EQ(frames[1].previous->alpha, solution.basis);
+  EXPECT_EQ(frames[1].previous->z, solution.z);
+  EXPECT_EQ(frames[0].sha256, frames[1].sha256) << "it is no part of the content";
+
+  FrameSeries unsolved("scene", "projected-gauss-seidel:max_sweeps=1", {});
+  unsolved.add(coupled_contact(), 0, "");
+  unsolved.add(coupled_contact(), 1, "");
+  EXPECT_FALSE(unsolved.take()[1].previous);
+}
+
 TEST(FrameSeries, CountsTheContactsActiveWithoutFriction) {
   FrameSeries series("scene", "best-first", {});
   ContactProblem pair;

@@ -101,6 +101,7 @@ TEST(TwoStep, StartsFromTheRowsOfTheContactsThatAreActiveWithoutFriction) {
   EXPECT_FALSE(asked[0].call.start);
   EXPECT_EQ(asked[1].n, problem.size());
   EXPECT_EQ(asked[1].call.start.value().alpha, std::vector<Index>{1}) << "normal row of contact 0";
+  EXPECT_EQ(asked[1].call.start->z, VectorXd::Zero(problem.size()));
   EXPECT_EQ(steps.frictionless.work.pivots, 3);
   EXPECT_EQ(steps.frictional.work.pivots, 5) << "those of the first step stand apart";
   EXPECT_EQ(steps.frictional.work.frictionless_pivots, 3);
@@ -158,19 +159,39 @@ TEST(TwoStep, FromAnEmptyBasisIsTheColdSolve) {
   }
 }
 
-TEST(TwoStep, IsUnsupportedWhereThereIsNothingToStartFrom) {
-  const Problem problem = two_contacts();
-  const Result iterative = solve_two_step(solver("projected-gauss-seidel"), problem).frictional;
-  EXPECT_EQ(iterative.claim, Claim::unsupported);
-  EXPECT_EQ(iterative.message, "two-step: the solver returns no basis to start from");
-  EXPECT_EQ(iterative.z, VectorXd::Zero(problem.size()));
+TEST(TwoStep, StartsFromThePointAloneWhereTheFirstStepHasNoBasis) {
+  Problem problem = two_contacts();
+  std::swap(problem.friction->normal_row[0], problem.friction->normal_row[1]);
+  Result first = answer(frictionless_part(problem), Claim::solved, std::nullopt, 0);
+  first.z = VectorXd{{3, 4}};
+  std::vector<Question> asked;
+  solve_two_step(scripted(first, asked), problem);
+  EXPECT_TRUE(asked.at(1).call.start.value().alpha.empty());
+  EXPECT_EQ(asked.at(1).call.start->z, (VectorXd{{4, 3, 0, 0, 0}}));
 
-  // Also where it does not solve the first step, which it must not follow by a cold solve.
-  const Result limited =
-      solve_two_step(solver("projected-gauss-seidel:max_sweeps=1,tolerance=0"), problem).frictional;
-  EXPECT_EQ(limited.claim, Claim::unsupported);
-  EXPECT_EQ(limited.message, "takes no starting basis");
-  EXPECT_EQ(limited.work.restarts, 0);
+  const Result iterative =
+      solve_two_step(solver("projected-gauss-seidel"), two_contacts()).frictional;
+  EXPECT_EQ(iterative.claim, Claim::solved);
+  EXPECT_EQ(iterative.message, "");
+}
+
+TEST(TwoStep, GoesOnFromZeroWhereAnIterativeFirstStepFails) {
+  const char* spelling = "projected-gauss-seidel:max_sweeps=1,tolerance=0";
+  const Problem problem = two_contacts();
+  const Result limited = solve_two_step(solver(spelling), problem).frictional;
+  EXPECT_EQ(limited.claim, Claim::limit);
+  EXPECT_TRUE(limited.message.starts_with("frictionless LCP: limit; started cold; "));
+  EXPECT_EQ(limited.work.restarts, 1);
+  EXPECT_EQ(limited.z, solver(spelling)(problem, {}).z);
+}
+
+TEST(TwoStep, ARefusalOfAnyStartStaysOne) {
+  const SolveFunction takes_none = [](const Problem& each, const Call& call) {
+    return answer(each, call.start ? Claim::unsupported : Claim::limit, {}, 0);
+  };
+  const Result result = solve_two_step(takes_none, two_contacts()).frictional;
+  EXPECT_EQ(result.claim, Claim::unsupported);
+  EXPECT_EQ(result.work.restarts, 0);
 }
 
 TEST(TwoStep, IsUnsupportedWithoutFriction) {

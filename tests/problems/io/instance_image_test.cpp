@@ -15,8 +15,10 @@ std::vector<Instance> all_kinds() {
   Instance contacts =
       make_instance("frames/1", cases::with_contacts(), {{"scene", "two\nlines"}, {"empty", ""}});
   contacts.active_contacts = 1;
+  contacts.previous = cases::previous_of_contacts();
   Instance options = make_instance("options", cases::plain_with_all_options(), {});
   options.known_solution = VectorXd{{-0.0, 2e-300}};
+  options.previous = Start{};  // of an empty basis, without a point
   return {contacts, options};
 }
 
@@ -35,6 +37,12 @@ TEST(InstanceImage, IsRefusedWhereverItIsCut) {
 TEST(InstanceImage, ChecksTheProblem) {
   std::vector<Instance> instances = all_kinds();
   instances[0].problem.q(0) = std::numeric_limits<double>::infinity();
+  EXPECT_THROW(from_image(to_image(instances)), std::invalid_argument);
+}
+
+TEST(InstanceImage, ChecksThePreviousSolution) {
+  std::vector<Instance> instances = all_kinds();
+  instances[0].previous->alpha = {7};
   EXPECT_THROW(from_image(to_image(instances)), std::invalid_argument);
 }
 

@@ -35,6 +35,11 @@ inline void expect_same(const Instance& one, const Instance& two) {
   EXPECT_EQ(one.active_contacts, two.active_contacts);
   ASSERT_EQ(one.known_solution.has_value(), two.known_solution.has_value());
   if (one.known_solution) expect_same_bits(*one.known_solution, *two.known_solution, "solution");
+  ASSERT_EQ(one.previous.has_value(), two.previous.has_value());
+  if (one.previous) {
+    EXPECT_EQ(one.previous->alpha, two.previous->alpha);
+    expect_same_bits(one.previous->z, two.previous->z, "previous z");
+  }
   expect_same_bits(one.problem.M, two.problem.M, "M");
   expect_same_bits(one.problem.q, two.problem.q, "q");
   expect_same_bits(one.problem.s_z, two.problem.s_z, "s_z");

@@ -18,9 +18,11 @@ std::vector<Instance> all_kinds() {
   Instance contacts = make_instance("frames/0001", cases::with_contacts(),
                                     {{"scene", "two contacts"}, {"empty", ""}});
   contacts.active_contacts = 1;
+  contacts.previous = cases::previous_of_contacts();
   Instance options =
       make_instance("options", cases::plain_with_all_options(), {{"note", "two\nlines, \xC3\xA9"}});
   options.known_solution = VectorXd{{-0.0, 2e-300}};
+  options.previous = Start{};  // of an empty basis, without a point
   return {contacts, make_instance("frames/0002", cases::plain(), {}), options};
 }
 
@@ -29,8 +31,9 @@ std::vector<Instance> all_kinds() {
 std::string corpus_with(const files::TemporaryFolder& folder,
                         const std::function<void(H5::H5File&)>& change) {
   const std::string path = folder.file("corpus.hdf5");
-  write_corpus(path, {make_instance("a", cases::with_contacts(), {}),
-                      make_instance("b", cases::plain(), {})});
+  Instance contacts = make_instance("a", cases::with_contacts(), {});
+  contacts.previous = cases::previous_of_contacts();
+  write_corpus(path, {contacts, make_instance("b", cases::plain(), {})});
   H5::H5File file(path, H5F_ACC_RDWR);
   change(file);
   return path;
@@ -171,6 +174,23 @@ TEST(Hdf5Corpus, ReportsContentThatDoesNotFitItsHash) {
       complaint_about([](H5::H5File& file) { overwrite(file, "/b/M", 0, 4.5); });
   EXPECT_TRUE(complaint.starts_with("/b/sha256: is " + hash + ", but the content has "))
       << complaint;
+}
+
+TEST(Hdf5Corpus, ReportsAPreviousSolutionThatIsNone) {
+  constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_TRUE(complaint_about([](H5::H5File& file) {
+                overwrite(file, "/a/previous_z", 0, 4.5);
+              }).starts_with("/a/previous_sha256: is "));
+  EXPECT_EQ(complaint_about([](H5::H5File& file) { overwrite(file, "/a/previous_z", 0, nan); }),
+            "/a: previous solution: z is not finite, expected finite numbers");
+  EXPECT_EQ(complaint_about([](H5::H5File& file) { overwrite(file, "/a/previous_alpha", 1, 7); }),
+            "/a: previous solution: alpha holds row 7, expected 0 ... 6");
+  EXPECT_EQ(complaint_about([](H5::H5File& file) { replace(file, "/a/previous_z", {5}); }),
+            "/a: previous solution: z has 5 entries, expected 7 or none");
+  EXPECT_NE(complaint_about([](H5::H5File& file) {
+              replace(file, "/a/previous_alpha", {8}, H5::PredType::STD_I64LE);
+            }).find("/a/previous_alpha"),
+            std::string::npos);
 }
 
 TEST(Hdf5Corpus, ReportsNumbersThatAreNotFinite) {

@@ -29,8 +29,10 @@ TEST_F(JsonInstances, GiveBackEveryBit) {
   Instance options = make_instance("options", cases::plain_with_all_options(),
                                    {{"note", "two\nlines, \xC3\xA9"}, {"", ""}});
   options.known_solution = VectorXd{{-0.0, 2e-300}};
+  options.previous = Start{};  // of an empty basis, without a point
   Instance contacts = make_instance("frames/1", cases::with_contacts(), {});
   contacts.active_contacts = 1;
+  contacts.previous = cases::previous_of_contacts();
   Problem empty;
   set_plain_scales(empty);
   const std::vector<Instance> written = {options, contacts, make_instance("empty", empty, {})};
@@ -89,6 +91,18 @@ TEST_F(JsonInstances, ComplainOfAHashThatDoesNotFit) {
   std::string text = files::content(path);
   text.replace(text.find("0.7"), 3, "0.8");
   EXPECT_TRUE(complaint(text).starts_with("/instances/0/sha256: is ")) << complaint(text);
+}
+
+TEST_F(JsonInstances, ComplainOfAPreviousSolutionThatIsNone) {
+  const auto with = [&](const std::string& previous) {
+    return complaint(R"({"M": [[1, 0], [0, 1]], "q": [-1, -1], )" + previous + "}");
+  };
+  EXPECT_EQ(with(R"("previous_alpha": [1, 0])"),
+            "/: previous solution: alpha holds row 0 behind row 1, expected ascending rows");
+  EXPECT_EQ(with(R"("previous_alpha": [0], "previous_z": [1])"),
+            "/: previous solution: z has 1 entries, expected 2 or none");
+  EXPECT_TRUE(with(R"("previous_alpha": [0], "previous_sha256": "0")")
+                  .starts_with("/previous_sha256: is 0, but the content has "));
 }
 
 TEST_F(JsonInstances, ComplainOfRowsThatNoIntegerCanCountTo) {
