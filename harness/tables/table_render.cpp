@@ -142,7 +142,8 @@ std::string meaning(Acceptance::Criterion criterion) {
              : "the paper's error |w - M z - q - z0 c| (unscaled)";
 }
 
-constexpr std::size_t name_width = 34;  ///< Longer names stand on a line of their own.
+constexpr std::size_t name_width = 34;   ///< Longer names stand on a line of their own.
+constexpr std::size_t start_width = 11;  ///< Of ` [two-step]`, where names have it.
 constexpr std::size_t least_name_width = 4;
 constexpr int count_width = 6;
 constexpr int number_width = 7;
@@ -159,9 +160,10 @@ std::string text(const Table& table) {
     const bool has_place = quantity.always || any;
     if (has_place && (table.several_starts || !quantity.of_starts)) shown.push_back(quantity);
   }
+  const std::size_t most = name_width + (table.several_starts ? start_width : 0);
   std::size_t width = least_name_width;
   for (const TableRow& row : table.rows)
-    if (row.label.size() <= name_width) width = std::max(width, row.label.size());
+    if (row.label.size() <= most) width = std::max(width, row.label.size());
 
   std::string out;
   for (const std::vector<TableRow>& block : blocks(table)) {
@@ -170,8 +172,8 @@ std::string text(const Table& table) {
       out += fmt::format(" {:>{}}", quantity.heading, width_of(quantity));
     out += "\n";
     for (const TableRow& row : block) {
-      out += row.label.size() > name_width ? row.label + "\n" + std::string(width, ' ')
-                                           : fmt::format("{:<{}}", row.label, width);
+      out += row.label.size() > most ? row.label + "\n" + std::string(width, ' ')
+                                     : fmt::format("{:<{}}", row.label, width);
       for (const Quantity& quantity : shown)
         out += fmt::format(" {:>{}}", cell(quantity, row, "-"), width_of(quantity));
       out += "\n";
