@@ -24,6 +24,11 @@ std::vector<Row>& rows() {
   return all;
 }
 
+std::vector<AbsentPeer>& absent() {
+  static std::vector<AbsentPeer> all;
+  return all;
+}
+
 NamedSolver make_from(const Row& row, const Spelling& spelling) {
   std::shared_ptr<Solver> solver = row.make();
   apply(solver->options(), spelling, row.info.name);
@@ -37,6 +42,17 @@ std::string row_names() {
   return fmt::format("{}", fmt::join(names, ", "));
 }
 
+/// Throws, naming the package, when `pattern` fits peers that are not built in.
+void refuse_absent(const std::string& pattern) {
+  for (const AbsentPeer& peer : absent_peers()) {
+    if (fnmatch(pattern.c_str(), peer.name.c_str(), 0) != 0) continue;
+    throw std::invalid_argument(
+        fmt::format("solver '{}' is not built in: it needs {}, Debian package {}; install it, then "
+                    "configure and build again",
+                    pattern, peer.library, peer.package));
+  }
+}
+
 }  // namespace
 
 void Registration::add(Row row) {
@@ -46,11 +62,21 @@ void Registration::add(Row row) {
   rows().insert(place, std::move(row));
 }
 
+Absence::Absence(const std::vector<std::string>& names, const std::string& library,
+                 const std::string& package) {
+  for (const std::string& name : names) absent().push_back({name, library, package});
+  std::sort(absent().begin(), absent().end(),
+            [](const AbsentPeer& a, const AbsentPeer& b) { return a.name < b.name; });
+}
+
 const std::vector<Row>& registry() { return rows(); }
+
+const std::vector<AbsentPeer>& absent_peers() { return absent(); }
 
 const Row& find_row(const std::string& name) {
   for (const Row& row : registry())
     if (row.info.name == name) return row;
+  refuse_absent(name);
   throw std::invalid_argument(fmt::format("unknown solver '{}', known are: {}", name, row_names()));
 }
 
@@ -69,7 +95,8 @@ std::vector<NamedSolver> make_solvers(const std::vector<std::string>& texts) {
   };
   for (const std::string& text : texts) {
     const Spelling spelling = parse_spelling(text);
-    const std::string pattern = spelling.name == "all" ? "*" : spelling.name;
+    const bool own = spelling.name == "own";
+    const std::string pattern = own || spelling.name == "all" ? "*" : spelling.name;
     if (pattern.find_first_of("*?[") == std::string::npos) {
       take(make_solver(text));
       continue;
@@ -77,12 +104,14 @@ std::vector<NamedSolver> make_solvers(const std::vector<std::string>& texts) {
     bool matched = false;
     for (const Row& row : registry()) {
       if (fnmatch(pattern.c_str(), row.info.name.c_str(), 0) != 0) continue;
+      if (own && row.info.peer()) continue;
       matched = true;
       take(make_from(row, spelling));
     }
-    if (!matched)
-      throw std::invalid_argument(
-          fmt::format("no solver matches '{}', known are: {}", spelling.name, row_names()));
+    if (matched) continue;
+    refuse_absent(pattern);
+    throw std::invalid_argument(
+        fmt::format("no solver matches '{}', known are: {}", spelling.name, row_names()));
   }
   return solvers;
 }

@@ -29,7 +29,12 @@ struct RowInfo {
     pivoting,   ///< Finite: walks from basis to basis; a result is exact up to rounding.
     iterative,  ///< Approaches a solution to its own tolerance.
   } kind = Kind::pivoting;
-  std::string version = "1";  ///< Raised when the row's results change.
+  std::string version = "1";           ///< Raised when the row's results change.
+  std::string supports = "any M";      ///< To other problems it answers `unsupported`.
+  std::string library = {};            ///< "Siconos 4.4.0": of a peer, an outside library's method.
+  std::string library_constants = {};  ///< Of a peer: its own tolerances, and who sets them to what.
+
+  bool peer() const { return !library.empty(); }
 };
 
 /// One row of the registry: a method with the defaults that make it this variant.
@@ -41,6 +46,16 @@ struct Row {
 /// All rows, sorted by name, so that link order decides nothing.
 const std::vector<Row>& registry();
 
+/// A peer that this build lacks, because its library was not there.
+struct AbsentPeer {
+  std::string name;
+  std::string library;  ///< "Siconos"
+  std::string package;  ///< The Debian package that brings it.
+};
+
+/// The peers this build lacks, sorted by name.
+const std::vector<AbsentPeer>& absent_peers();
+
 /// A solver in full spelling.
 struct NamedSolver {
   std::string
@@ -49,15 +64,16 @@ struct NamedSolver {
   std::shared_ptr<Solver> solver;
 };
 
-/// The row called `name`; throws std::invalid_argument with the list of rows.
+/// The row called `name`; throws std::invalid_argument with the package that an absent peer needs, or
+/// with the list of rows.
 const Row& find_row(const std::string& name);
 
 /// Makes the solver that `name:key=value,...` describes; throws std::invalid_argument with the list
 /// of what is allowed.
 NamedSolver make_solver(const std::string& text);
 
-/// The same for a list in which `all` stands for every row and a name may hold `*`:
-/// `best-first*:epsilon=1e-6`. Order is kept, repetitions are dropped.
+/// The same for a list in which `all` stands for every row, `own` for every row but the peers, and a
+/// name may hold `*`: `best-first*:epsilon=1e-6`. Order is kept, repetitions are dropped.
 std::vector<NamedSolver> make_solvers(const std::vector<std::string>& texts);
 
 /// Registers a row for as long as the program runs; construct it at the foot of the method's file.
@@ -84,6 +100,12 @@ struct Registration {
 
  private:
   static void add(Row row);
+};
+
+/// Makes the names of peers that are not built in known, with what would bring them.
+struct Absence {
+  Absence(const std::vector<std::string>& names, const std::string& library,
+          const std::string& package);
 };
 
 }  // namespace lcp

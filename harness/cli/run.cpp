@@ -24,7 +24,7 @@ int run_suite_or_corpora(const RunArguments& arguments) {
   std::vector<std::string> solvers = arguments.solvers;
   if (solvers.empty()) {
     if (suite.empty()) {
-      solvers = {"all"};
+      solvers = {"own"};
     } else {
       solvers = find_suite(suite).solvers;
     }
@@ -40,7 +40,7 @@ Verb add_run(CLI::App& program) {
       "run", "Measure solvers on a suite or corpora; write rows, table and chart");
   auto arguments = std::make_shared<RunArguments>();
   page->add_option("--solver", arguments->solvers,
-                   "NAME[:key=value,...], pattern or all; repeatable. Default: the suite's, or all")
+                   "NAME[:key=value,...], pattern, own or all; repeatable. Default: the suite's, or own")
       ->allow_extra_args(false);
   add_options(*page, arguments->measurement);
   page->footer(

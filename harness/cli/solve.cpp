@@ -115,10 +115,10 @@ Verb add_solve(CLI::App& program) {
   CLI::App* page = program.add_subcommand(
       "solve", "Solve instances in this process, for debuggers and sanitizers; no times");
   auto arguments = std::make_shared<SolveArguments>();
-  arguments->solvers = {"all"};
+  arguments->solvers = {"own"};
   page->add_option("INSTANCE", arguments->where, "FILE, FILE#NAME or directory")->required();
   page->add_option("--solver", arguments->solvers,
-                   "NAME[:key=value,...], pattern or all; repeatable")
+                   "NAME[:key=value,...], pattern, own (no peers) or all; repeatable")
       ->allow_extra_args(false)
       ->capture_default_str();
   add_start_option(*page, arguments->starts);

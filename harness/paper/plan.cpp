@@ -103,7 +103,7 @@ PaperColumn own_column() { return column("best-first", "best-first", "best-first
 
 std::vector<PaperColumn> rest_of_registry(const std::vector<PaperColumn>& there) {
   std::vector<PaperColumn> rest;
-  for (const NamedSolver& solver : make_solvers({"all"})) {
+  for (const NamedSolver& solver : make_solvers({"own"})) {
     const bool known = std::any_of(there.begin(), there.end(), [&](const PaperColumn& each) {
       return each.solver == solver.spelling;
     });

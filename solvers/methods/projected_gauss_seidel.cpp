@@ -276,9 +276,11 @@ Result solve(const Problem& problem, const GaussSeidelOptions& options, const Ca
 }
 
 const Registration projected_gauss_seidel{
-    {"projected-gauss-seidel",
-     "sweeps over rows, or over contacts with projection onto the friction polygon",
-     "Jourdan, Alart, Jean 1998; Cottle, Pang, Stone, 5.2", RowInfo::Kind::iterative},
+    {.name = "projected-gauss-seidel",
+     .summary = "sweeps over rows, or over contacts with projection onto the friction polygon",
+     .source = "Jourdan, Alart, Jean 1998; Cottle, Pang, Stone, 5.2",
+     .kind = RowInfo::Kind::iterative,
+     .supports = "a positive diagonal, or contacts with friction blocks"},
     GaussSeidelOptions{},
     option_table,
     solve};

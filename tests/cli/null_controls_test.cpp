@@ -36,6 +36,8 @@ TEST(NullControls, AreRowsWithTheirVerdictsAndTheRunGoesOn) {
                                                        "--solver",
                                                        "crasher",
                                                        "--solver",
+                                                       "outside-crasher",
+                                                       "--solver",
                                                        "memory-eater",
                                                        "--solver",
                                                        "thrower",
@@ -50,7 +52,7 @@ TEST(NullControls, AreRowsWithTheirVerdictsAndTheRunGoesOn) {
   for (const Json& row : rows) row_of[row.at("solver")] = row;
   const std::map<std::string, std::string> expected = {
       {"liar", "wrong"},    {"nan-maker", "wrong"},     {"sleeper", "timeout"},
-      {"crasher", "crash"}, {"memory-eater", "memory"}, {"thrower", "crash"}};
+      {"crasher", "crash"}, {"outside-crasher", "crash"}, {"memory-eater", "memory"}, {"thrower", "crash"}};
   for (const auto& [solver, verdict] : expected) {
     const Json& row = row_of.at(solver);
     EXPECT_EQ(row.at("success"), 0) << solver;
@@ -59,6 +61,19 @@ TEST(NullControls, AreRowsWithTheirVerdictsAndTheRunGoesOn) {
     EXPECT_EQ(row.at("verdicts"), (Json{{verdict, 2}})) << solver;
   }
   EXPECT_EQ(row_of.at("lexicographic-pivot").at("instances"), 2);
+  EXPECT_NE(read_text(directory.file("r/rows.jsonl"))
+                .find("outside-crasher: the outside library aborted the process"),
+            std::string::npos);
+}
+
+TEST(NullControls, ACrashOfAnOutsideLibraryInThisProcessLeavesALine) {
+  const TemporaryDirectory directory;
+  run_program(LCPBENCH, {"generate", "published", "--count", "1", "--out", "p.json"},
+              directory.path());
+  const Ran ran = run_program(LCPBENCH_WITH_CONTROLS,
+                              {"solve", "p.json", "--solver", "outside-crasher"}, directory.path());
+  EXPECT_NE(ran.status, 0);
+  EXPECT_EQ(ran.err, "outside-crasher: the outside library aborted the process\n");
 }
 
 TEST(NullControls, TestSolverEndsWithStatusOneForALiar) {

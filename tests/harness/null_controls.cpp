@@ -14,6 +14,7 @@
 #include <string>
 #include <vector>
 
+#include "solvers/peers/outside_call.h"
 #include "solvers/registry.h"
 
 namespace lcp {
@@ -47,6 +48,12 @@ Result sleep_for_ever(const Problem&, const NoOptions&, const Call&) {
 
 Result crash(const Problem&, const NoOptions&, const Call&) {
   std::fprintf(stderr, "%s", (std::string(1000, '.') + "last words").c_str());
+  std::abort();
+}
+
+Result crash_outside(const Problem&, const NoOptions&, const Call&) {
+  const OutsideCall under_way("outside-crasher");
+  std::fprintf(stderr, "what the library says is not kept\n");
   std::abort();
 }
 
@@ -103,6 +110,8 @@ const Registration rows[] = {
     {control("nan-maker", "claims solved with z = NaN"), NoOptions{}, no_table, make_nan},
     {control("sleeper", "never returns"), NoOptions{}, no_table, sleep_for_ever},
     {control("crasher", "aborts"), NoOptions{}, no_table, crash},
+    {control("outside-crasher", "aborts in an outside library"), NoOptions{}, no_table,
+     crash_outside},
     {control("thrower", "throws"), NoOptions{}, no_table, throw_exception},
     {control("memory-eater", "takes memory without end"), NoOptions{}, no_table, eat_memory},
     {control("flipper", "answers differently each time"), NoOptions{}, no_table, flip},

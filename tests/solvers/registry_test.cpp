@@ -93,5 +93,31 @@ TEST(Registry, RefusesUnknownNamesWithTheListOfRows) {
   }
 }
 
+TEST(Registry, SaysWhatAnAbsentPeerNeeds) {
+  const Absence absence({"made-up-peer"}, "Made Up", "libmade-up-dev");
+  for (const std::string name : {"made-up-peer", "made-*", "made-up-peer:scale=on"}) {
+    try {
+      make_solvers({name});
+      FAIL() << name << " was accepted";
+    } catch (const std::invalid_argument& error) {
+      const std::string message = error.what();
+      EXPECT_NE(message.find("libmade-up-dev"), std::string::npos) << message;
+      EXPECT_EQ(message.find("lexicographic"), std::string::npos) << message;
+    }
+  }
+}
+
+TEST(Registry, OwnStandsForEveryRowButThePeers) {
+  const Index before = static_cast<Index>(make_solvers({"own"}).size());
+  RowInfo info{.name = "zz-peer", .summary = "s", .source = "s"};
+  info.library = "Made Up 1";
+  struct None {};
+  static const Registration peer(
+      info, None{}, [](None&) { return OptionTable{}; },
+      [](const Problem&, const None&, const Call&) { return Result{}; });
+  EXPECT_EQ(static_cast<Index>(make_solvers({"own"}).size()), before);
+  EXPECT_EQ(static_cast<Index>(make_solvers({"all"}).size()), before + 1);
+}
+
 }  // namespace
 }  // namespace lcp
