@@ -29,10 +29,11 @@ struct RowInfo {
     pivoting,   ///< Finite: walks from basis to basis; a result is exact up to rounding.
     iterative,  ///< Approaches a solution to its own tolerance.
   } kind = Kind::pivoting;
-  std::string version = "1";           ///< Raised when the row's results change.
-  std::string supports = "any M";      ///< To other problems it answers `unsupported`.
-  std::string library = {};            ///< "Siconos 4.4.0": of a peer, an outside library's method.
-  std::string library_constants = {};  ///< Of a peer: its own tolerances, and who sets them to what.
+  std::string version = "1";       ///< Raised when the row's results change.
+  std::string supports = "any M";  ///< To other problems it answers `unsupported`.
+  std::string library = {};        ///< "Siconos 4.4.0": of a peer, an outside library's method.
+  std::string library_constants =
+      {};  ///< Of a peer: its own tolerances, and who sets them to what.
 
   bool peer() const { return !library.empty(); }
 };

@@ -39,8 +39,9 @@ Verb add_run(CLI::App& program) {
   CLI::App* page = program.add_subcommand(
       "run", "Measure solvers on a suite or corpora; write rows, table and chart");
   auto arguments = std::make_shared<RunArguments>();
-  page->add_option("--solver", arguments->solvers,
-                   "NAME[:key=value,...], pattern, own or all; repeatable. Default: the suite's, or own")
+  page->add_option(
+          "--solver", arguments->solvers,
+          "NAME[:key=value,...], pattern, own or all; repeatable. Default: the suite's, or own")
       ->allow_extra_args(false);
   add_options(*page, arguments->measurement);
   page->footer(

@@ -22,8 +22,8 @@ struct Law {
   std::string name;
   std::string statement;
   std::function<LawOutcome(const NamedSolver&)> check;
-  /// It speaks of the answers. A peer's are its library's and never repaired: where they break the law
-  /// that is a finding, while the other laws bind the adapter as they bind every row.
+  /// It speaks of the answers. A peer's are its library's and never repaired: where they break the
+  /// law that is a finding, while the other laws bind the adapter as they bind every row.
   bool of_answers = false;
 };
 

@@ -1,5 +1,6 @@
 #include "harness/measure/environment.h"
 
+#include <dlfcn.h>
 #include <fmt/format.h>
 #include <gnu/libc-version.h>
 #include <openssl/crypto.h>
@@ -8,10 +9,12 @@
 
 #include <Eigen/Core>
 #include <fstream>
+#include <set>
 #include <string>
 #include <thread>
 
 #include "harness/build_commit.h"  // Written by harness/build_commit.cmake at every build.
+#include "solvers/registry.h"
 
 namespace lcp {
 
@@ -49,6 +52,22 @@ json libraries() {
           {"openssl", OpenSSL_version(OPENSSL_VERSION_STRING)}};
 }
 
+/// Libraries of the peers that are built in.
+json peers() {
+  std::set<std::string> libraries;
+  for (const Row& row : registry())
+    if (row.info.peer()) libraries.insert(row.info.library);
+  return libraries;
+}
+
+/// OpenBLAS, with the processor whose kernels it chose, where the program has loaded it, else null.
+json blas() {
+  using Text = char* (*)();
+  const auto configuration = reinterpret_cast<Text>(dlsym(RTLD_DEFAULT, "openblas_get_config"));
+  if (!configuration) return {};
+  return configuration();
+}
+
 std::string sha256(const std::string& text) {
   unsigned char digest[SHA256_DIGEST_LENGTH];
   SHA256(reinterpret_cast<const unsigned char*>(text.data()), text.size(), digest);
@@ -70,6 +89,8 @@ json describe_environment(int jobs) {
                       {"commit", build_commit},
                       {"dirty", build_is_dirty ? json(*build_is_dirty) : json()},
                       {"libraries", libraries()},
+                      {"peers", peers()},
+                      {"blas", blas()},
                       {"jobs", jobs}};
   environment["id"] = sha256(environment.dump()).substr(0, 12);
   return environment;

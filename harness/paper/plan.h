@@ -34,7 +34,7 @@ struct PaperPlan {
   std::optional<double> duration;           ///< Of every simulation, s. Default: the scene's.
 };
 
-/// The plan of Table `table`, 1 or 2; with `all_solvers`, the rest of the registry as columns.
+/// The plan of Table `table`, 1 or 2; with `all_solvers`, the rest of the own rows as columns.
 PaperPlan paper_plan(int table, bool all_solvers);
 
 /// The paper's solver at its constants, judged as there.

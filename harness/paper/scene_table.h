@@ -28,7 +28,7 @@ struct ScenePlan {
 };
 
 /// `hoist` at 1 and 10 ms, `ring` and `net` by the paper's solver and by ours; with `all_solvers`,
-/// also by the rest of the registry.
+/// also by the rest of the own rows.
 ScenePlan scene_plan(bool all_solvers);
 
 /// Table III of the paper beside what this program measured.

@@ -1,5 +1,5 @@
-// The peers whose libraries were not found when this was configured, so that asking for one says which
-// package it needs.
+// The peers whose libraries were not found when this was configured, so that asking for one says
+// which package it needs.
 
 #include "solvers/registry.h"
 
@@ -7,11 +7,11 @@ namespace lcp {
 namespace {
 
 #ifndef LCPBENCH_HAS_SICONOS
-const Absence siconos{{"siconos-lexicographic-lemke", "siconos-cao-ferris", "siconos-murty",
-                       "siconos-pathsearch", "siconos-newton-fb", "siconos-newton-minfb",
-                       "siconos-newton-min", "siconos-rpgs"},
-                      "Siconos",
-                      "libsiconos-numerics-dev"};
+const Absence siconos{
+    {"siconos-lexicographic-lemke", "siconos-cao-ferris", "siconos-murty", "siconos-pathsearch",
+     "siconos-newton-fb", "siconos-newton-minfb", "siconos-newton-min", "siconos-rpgs"},
+    "Siconos",
+    "libsiconos-numerics-dev"};
 #endif
 #ifndef LCPBENCH_HAS_BULLET
 const Absence bullet{{"bullet-lemke", "bullet-dantzig"}, "Bullet", "libbullet-dev"};

@@ -1,21 +1,22 @@
 // Bullet's Lemke (btLemkeAlgorithm) and its Dantzig kernel (btSolveDantzigLCP), double precision.
 //
-// Source    Bullet Physics, MLCPSolvers; Lemke after J. Lloyd, from MBSim; Dantzig from ODE, D. Baraff
-//           1994.
-// Lemke     w = Mz + q with our sign; the answer is [w; z]; `getInfo` 0 is its word for success, and it
-//           does not look whether it stands on a ray. Lexicographic comparison row by row, O(n^3) a
-//           pivot: minutes at n = 160. Nothing can be set but maxloops = Problem::max_pivots(); in its
-//           body: machine epsilon, and an absolute 1e30 as the largest ratio.
+// Source    Bullet Physics, MLCPSolvers; Lemke after J. Lloyd, from MBSim; Dantzig from ODE, D.
+//           Baraff 1994.
+// Lemke     w = Mz + q with our sign; the answer is [w; z]; `getInfo` 0 is its word for success, and
+//           it does not look whether it stands on a ray. Lexicographic comparison row by row, O(n^3)
+//           a pivot: minutes at n = 160. Nothing can be set but maxloops = Problem::max_pivots(); in
+//           its body: machine epsilon, and an absolute 1e30 as the largest ratio.
 // Dantzig   A x = b + w, so b = -q, bounds 0 and infinity, no friction indices; A row by row and
-//           destroyed. It uses one triangle of A only: M must be symmetric. Nothing can be set. False
-//           when a pivot fails; a true is not checked. Its error flag is a global of the library.
-
-#include <fmt/format.h>
+//           destroyed. It uses one triangle of A only: M must be symmetric. Nothing can be set.
+//           False when a pivot fails; a true is not checked. Its error flag is a global of the
+//           library.
 
 #include <BulletDynamics/MLCPSolvers/btDantzigLCP.h>
 #include <BulletDynamics/MLCPSolvers/btLemkeAlgorithm.h>
+#include <fmt/format.h>
 
-#include <vector>
+#include <algorithm>
+#include <climits>
 
 #include "solvers/peers/outside_call.h"
 
@@ -43,11 +44,12 @@ Result lemke(const Problem& problem, const PeerOptions& options, const Call& cal
   }
   VectorXd z(n), w(n);
   Work work;
+  const unsigned loops = static_cast<unsigned>(std::min<Index>(problem.max_pivots(), UINT_MAX));
   bool success = false;
   {
     const OutsideCall under_way("bullet-lemke");
     btLemkeAlgorithm algorithm(M, q);
-    const btVectorXu answer = algorithm.solve(static_cast<unsigned>(problem.max_pivots()));
+    const btVectorXu answer = algorithm.solve(loops);
     success = algorithm.getInfo() == 0;
     work.pivots = algorithm.getSteps();
     for (int i = 0; i < size; ++i) {
@@ -56,8 +58,7 @@ Result lemke(const Problem& problem, const PeerOptions& options, const Call& cal
     }
   }
   if (success) return outside_result(scaled, Claim::solved, "", z, w, work);
-  const bool limit = work.pivots >= problem.max_pivots();
-  return outside_result(scaled, limit ? Claim::limit : Claim::ray,
+  return outside_result(scaled, work.pivots >= loops ? Claim::limit : Claim::singular,
                         fmt::format("info -1 after {} loops", work.pivots), z, w, work);
 }
 

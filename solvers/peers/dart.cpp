@@ -1,25 +1,28 @@
 // DART's own Lemke and its projected Gauss-Seidel, out of its run-time library alone.
 //
-// Source    DART 6.12, dart/lcpsolver/Lemke.hpp and dart/constraint/PgsBoxedLcpSolver.hpp; Lemke after
-//           the LEMKE program of P. Fackler and M. Miranda.
-// Reached   Without DART's headers, which need 400 MB of packages: the two functions are looked up by
-//           their binary names in libdart.so.6.12, and what they take is laid out here as that release
-//           has it (Debian's soname pins it). Vectors and matrices are Eigen's dynamic ones, which are a
-//           pointer from malloc() and sizes; no Eigen code of ours meets the library's, which under a
-//           sanitizer or with AVX allocates in another way. The library is loaded when a solver is made.
-// Lemke     Our sign. Factorises the basis afresh at each pivot (QR, n^3). In its body, absolute: pivots
-//           above 1e-8, ties within 1e-5, 1000 pivots, an answer with w, z, w z off by up to 1e-4 passes.
-//           The scale of the problem decides what they mean: scale=on makes them dimensionless.
+// Source    DART 6.12, dart/lcpsolver/Lemke.hpp and dart/constraint/PgsBoxedLcpSolver.hpp; Lemke
+//           after the LEMKE program of P. Fackler and M. Miranda.
+// Reached   Without DART's headers, which need 400 MB of packages: the two functions are looked up
+//           by their binary names in libdart.so.6.12, and what they take is laid out here as that
+//           release has it (Debian's soname pins it). Vectors and matrices are Eigen's dynamic ones,
+//           which are a pointer from malloc() and sizes; no Eigen code of ours meets the library's,
+//           which under a sanitizer or with AVX allocates in another way. The library is loaded when
+//           a solver is made.
+// Lemke     Our sign. Factorises the basis afresh at each pivot (QR, n^3). In its body, absolute:
+//           pivots above 1e-8, ties within 1e-5, 1000 pivots, an answer with w, z, w z off by up to
+//           1e-4 passes. The scale of the problem decides what they mean: scale=on makes them
+//           dimensionless.
 // PGS       A x = b + w, so b = -q, bounds 0 and infinity, every friction index -1; rows padded to a
-//           multiple of 4; A and b destroyed. Ends when no x moves by more than `tolerance` of itself
-//           (absolutely in the first sweep), which says nothing of the residual. Rows with M_ii below
-//           1e-9 (mEpsilonForDivision, left as it is) would be skipped with x = 0.
+//           multiple of 4; A and b destroyed. Ends when no x moves by more than `tolerance` of
+//           itself (absolutely in the first sweep), which says nothing of the residual. Rows with
+//           M_ii below 1e-9 (mEpsilonForDivision, left as it is) would be skipped with x = 0.
 
 #include <dlfcn.h>
 #include <fmt/format.h>
 
 #include <climits>
 #include <cstdlib>
+#include <limits>
 #include <memory>
 #include <vector>
 
@@ -64,9 +67,9 @@ Function find(const char* symbol) {
 }
 
 Lemke lemke_function() {
-  static const auto function =
-      find<Lemke>("_ZN4dart9lcpsolver5LemkeERKN5Eigen6MatrixIdLin1ELin1ELi0ELin1ELin1EEERKNS2_"
-                  "IdLin1ELi1ELi0ELin1ELi1EEEPS6_");
+  static const auto function = find<Lemke>(
+      "_ZN4dart9lcpsolver5LemkeERKN5Eigen6MatrixIdLin1ELin1ELi0ELin1ELin1EEERKNS2_"
+      "IdLin1ELi1ELi0ELin1ELi1EEEPS6_");
   return function;
 }
 
@@ -171,11 +174,11 @@ Result gauss_seidel(const Problem& problem, const GaussSeidelOptions& options, c
     success = gauss_seidel_function()(&solver, static_cast<int>(n), rows.data(), z.data(), b.data(),
                                       0, low.data(), high.data(), no_friction.data(), false);
   }
-  for (double* data : {solver.normalised_A.data, solver.normalised_B.data, solver.z.data,
-                       solver.old_x.data})
+  for (double* data :
+       {solver.normalised_A.data, solver.normalised_B.data, solver.z.data, solver.old_x.data})
     std::free(data);
-  return outside_result(scaled, success ? Claim::solved : Claim::limit, "", std::move(z), VectorXd(),
-                        {});
+  return outside_result(scaled, success ? Claim::solved : Claim::limit, "", std::move(z),
+                        VectorXd(), {});
 }
 
 const Registration dart_lemke{
@@ -184,8 +187,9 @@ const Registration dart_lemke{
      .source = "DART, dart::lcpsolver::Lemke; Fackler and Miranda",
      .supports = "any M; n^3 a pivot, 1000 pivots",
      .library = "DART " LCPBENCH_DART_VERSION,
-     .library_constants = "none can be set; in its body pivot 1e-8, ties 1e-5, 1000 pivots, its check "
-                          "1e-4, all absolute"},
+     .library_constants =
+         "none can be set; in its body pivot 1e-8, ties 1e-5, 1000 pivots, its check "
+         "1e-4, all absolute"},
     PeerOptions{},
     lemke_table,
     lemke};
@@ -197,8 +201,9 @@ const Registration dart_pgs{
      .kind = RowInfo::Kind::iterative,
      .supports = "a symmetric M with a positive diagonal",
      .library = "DART " LCPBENCH_DART_VERSION,
-     .library_constants = "mDeltaXThreshold and mRelativeDeltaXTolerance = tolerance, mMaxIteration = "
-                          "max_sweeps, mEpsilonForDivision 1e-9 as it is"},
+     .library_constants =
+         "mDeltaXThreshold and mRelativeDeltaXTolerance = tolerance, mMaxIteration = "
+         "max_sweeps, mEpsilonForDivision 1e-9 as it is"},
     GaussSeidelOptions{},
     gauss_seidel_table,
     gauss_seidel};

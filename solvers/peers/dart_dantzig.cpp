@@ -1,12 +1,13 @@
 // DART's copy of ODE's Dantzig kernel, dSolveLCP.
 //
 // Source    DART, dart/external/odelcpsolver/lcp.h; R. Smith, ODE; D. Baraff 1994.
-// Form      A x = b + w, so b = -q, bounds 0 and infinity, every friction index -1; A row by row, rows
-//           padded to dPAD(n), and destroyed. It uses one triangle of A only: M must be symmetric. It
-//           is meant for positive definite A: engines add 1e-9 ... 1e-5 to the diagonal first, which
-//           `cfm` does here.
-// Status    With early=on it returns false as soon as a pivot fails; with early=off, as DART itself calls
-//           it first, it goes on and always returns true. No count of pivots, no limit, no tolerance.
+// Form      A x = b + w, so b = -q, bounds 0 and infinity, every friction index -1; A row by row,
+//           rows padded to dPAD(n), and destroyed. It uses one triangle of A only: M must be
+//           symmetric. It is meant for positive definite A: engines add 1e-9 ... 1e-5 to the
+//           diagonal first, which `cfm` does here.
+// Status    With early=on it returns false as soon as a pivot fails; with early=off, as DART itself
+//           calls it first, it goes on and always returns true. No count of pivots, no limit, no
+//           tolerance.
 
 #include <dart/external/odelcpsolver/lcp.h>
 #include <fmt/format.h>

@@ -1,33 +1,33 @@
 // Siconos Numerics: eight of its LCP solvers, dense, through linearComplementarity_driver.
 //
-// Source    V. Acary et al., Siconos, INRIA; LCP_Solvers.h, lcp_cst.h. Same sign as ours, w = Mz + q;
-//           M column by column; solvers may write into M and q, so they get copies.
+// Source    V. Acary et al., Siconos, INRIA; LCP_Solvers.h, lcp_cst.h. Same sign as ours, w = Mz +
+//           q; M column by column; solvers may write into M and q, so they get copies.
 // Stops     at ||min(z, w)||_2 / ||q||_2 <= dparam[SICONOS_DPARAM_TOL], our `tolerance`. The driver
 //           checks every answer of a solver that reports success against the same bound (filterOn,
 //           its default). Each of these tests asks whether the error is *greater*, so NaN passes.
 // Limits    iparam[SICONOS_IPARAM_MAX_ITER]: Problem::max_pivots() for the rows that pivot.
 // Not asked n = 1: the driver itself answers z = -q / M whatever the signs.
-// In its    lexicographic Lemke: any entry > 0 is a pivot, ties only on bitwise equal ratios, columns
-// body      compared with eps max |M|. Murty's rule: pivots below eps (2.2e-16) end it, rows count as
-//           negative below -eps. Newton, Fischer-Burmeister: line search down to alpha = 1e-16. Newton,
-//           min: starts from z = w = 1, rho_i = 1 / M_ii.
-// BLAS      One thread, so that it neither takes other cores nor sums in another order. Which kernels
-//           OpenBLAS uses depends on the processor, and so may a last bit of the Newton rows.
-
-#include <dlfcn.h>
-#include <fmt/format.h>
-
-#include <algorithm>
-#include <climits>
-#include <cstdlib>
-#include <memory>
+// In body   lexicographic Lemke: any entry > 0 is a pivot, ties only on bitwise equal ratios,
+//           columns compared with eps max |M|. Murty's rule: pivots below eps (2.2e-16) end it, rows
+//           count as negative below -eps. Newton, Fischer-Burmeister: line search down to alpha =
+//           1e-16. Newton, min: starts from z = w = 1, rho_i = 1 / M_ii.
+// BLAS      One thread, so that it neither takes other cores nor sums in another order. Which
+//           kernels OpenBLAS uses depends on the processor, and so may a last bit of the Newton
+//           rows.
 
 #include <LinearComplementarityProblem.h>
 #include <NonSmoothDrivers.h>
 #include <NumericsMatrix.h>
 #include <SolverOptions.h>
+#include <dlfcn.h>
+#include <fmt/format.h>
 #include <lcp_cst.h>
 #include <lcp_pivot.h>
+
+#include <algorithm>
+#include <climits>
+#include <cstdlib>
+#include <memory>
 
 #include "solvers/peers/outside_call.h"
 
@@ -92,9 +92,10 @@ Ending solved_or(int info, const Ending& failure) {
 /// Lemke and Cao-Ferris: 1 for the limit, a ray, and an answer that the driver's check refused.
 Ending lemke_ending(int info, Index done, Index allowed) {
   if (info != 0 && done >= allowed) return {Claim::limit, ""};
-  return solved_or(info, {Claim::ray, fmt::format("info {} after {} pivots: a ray, or an answer that "
-                                                  "failed the library's check",
-                                                  info, done)});
+  return solved_or(info,
+                   {Claim::ray, fmt::format("info {} after {} pivots: a ray, or an answer that "
+                                            "failed the library's check",
+                                            info, done)});
 }
 
 /// Murty's rule and path search: codes of lcp_pivot.h.
@@ -112,8 +113,7 @@ Ending pivot_ending(int info, Index done, Index allowed) {
       return {Claim::singular, "info 5: the path could not begin"};
     default:
       if (done >= allowed) return {Claim::limit, ""};
-      return {Claim::singular,
-              fmt::format("info {}: the answer failed the library's check", info)};
+      return {Claim::singular, fmt::format("info {}: the answer failed the library's check", info)};
   }
 }
 
@@ -226,8 +226,8 @@ const Registration cao_ferris{
     runs({"siconos-cao-ferris", SICONOS_LCP_AVI_CAOFERRIS, lemke_ending})};
 
 const Registration murty{
-    about("siconos-murty", "Murty's least-index principal pivoting", "Siconos, lcp_pivot; Murty 1988",
-          pivoting, "any M; ends for P-matrices",
+    about("siconos-murty", "Murty's least-index principal pivoting",
+          "Siconos, lcp_pivot; Murty 1988", pivoting, "any M; ends for P-matrices",
           "dparam[TOL] = tolerance; pivots and negative rows by machine epsilon in its body"),
     SiconosOptions{}, pivoting_table, runs({"siconos-murty", SICONOS_LCP_MURTY, pivot_ending})};
 
@@ -264,10 +264,11 @@ const Registration newton_min{
     runs({"siconos-newton-min", SICONOS_LCP_NEWTONMIN, iterative_ending, no_positive_diagonal})};
 
 const Registration regularised_gauss_seidel{
-    about("siconos-rpgs", "projected Gauss-Seidel with a proximal term for zeros on the diagonal",
-          "Siconos, lcp_rpgs", iterative, "a diagonal >= 0; takes a starting point",
-          "dparam[TOL] = tolerance, iparam[MAX_ITER] = max_iterations, dparam[RHO] = rho mean(M_ii); "
-          "every sweep ends with the residual, n^2"),
+    about(
+        "siconos-rpgs", "projected Gauss-Seidel with a proximal term for zeros on the diagonal",
+        "Siconos, lcp_rpgs", iterative, "a diagonal >= 0; takes a starting point",
+        "dparam[TOL] = tolerance, iparam[MAX_ITER] = max_iterations, dparam[RHO] = rho mean(M_ii); "
+        "every sweep ends with the residual, n^2"),
     iterations(10000), regularised_table,
     runs({"siconos-rpgs", SICONOS_LCP_RPGS, iterative_ending, negative_diagonal, true})};
 

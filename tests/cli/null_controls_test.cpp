@@ -20,39 +20,41 @@ TEST(NullControls, AreRowsWithTheirVerdictsAndTheRunGoesOn) {
                         directory.path())
                 .status,
             0);
-  const Ran ran = run_program(LCPBENCH_WITH_CONTROLS, {"run",
-                                                       "--corpus",
-                                                       "p.json",
-                                                       "--timeout",
-                                                       "600ms",
-                                                       "--memory",
-                                                       "64MiB",
-                                                       "--solver",
-                                                       "liar",
-                                                       "--solver",
-                                                       "nan-maker",
-                                                       "--solver",
-                                                       "sleeper",
-                                                       "--solver",
-                                                       "crasher",
-                                                       "--solver",
-                                                       "outside-crasher",
-                                                       "--solver",
-                                                       "memory-eater",
-                                                       "--solver",
-                                                       "thrower",
-                                                       "--solver",
-                                                       "lexicographic-pivot",
-                                                       "--out",
-                                                       "r"},
+  const Ran ran = run_program(LCPBENCH_WITH_CONTROLS,
+                              {"run",
+                               "--corpus",
+                               "p.json",
+                               "--timeout",
+                               "600ms",
+                               "--memory",
+                               "64MiB",
+                               "--solver",
+                               "liar",
+                               "--solver",
+                               "nan-maker",
+                               "--solver",
+                               "sleeper",
+                               "--solver",
+                               "crasher",
+                               "--solver",
+                               "outside-crasher",
+                               "--solver",
+                               "memory-eater",
+                               "--solver",
+                               "thrower",
+                               "--solver",
+                               "lexicographic-pivot",
+                               "--out",
+                               "r"},
                               directory.path());
   ASSERT_EQ(ran.status, 0) << ran.err;
   const Json rows = Json::parse(read_text(directory.file("r/table.json"))).at("rows");
   std::map<std::string, Json> row_of;
   for (const Json& row : rows) row_of[row.at("solver")] = row;
   const std::map<std::string, std::string> expected = {
-      {"liar", "wrong"},    {"nan-maker", "wrong"},     {"sleeper", "timeout"},
-      {"crasher", "crash"}, {"outside-crasher", "crash"}, {"memory-eater", "memory"}, {"thrower", "crash"}};
+      {"liar", "wrong"},    {"nan-maker", "wrong"},       {"sleeper", "timeout"},
+      {"crasher", "crash"}, {"outside-crasher", "crash"}, {"memory-eater", "memory"},
+      {"thrower", "crash"}};
   for (const auto& [solver, verdict] : expected) {
     const Json& row = row_of.at(solver);
     EXPECT_EQ(row.at("success"), 0) << solver;
