@@ -86,10 +86,10 @@ TEST_P(EveryPeer, SolvesTwoRows) {
     const Problem problem = cases::plain(Matrix2d{{2, 1}, {1, 2}}, Vector2d(-4, -5));
     const Result result = cases::solve(GetParam() + ":scale=" + scale, problem);
     ASSERT_EQ(result.claim, Claim::solved) << result.message;
-    EXPECT_NEAR(result.z(0), 1, 1e-7);
-    EXPECT_NEAR(result.z(1), 2, 1e-7);
+    EXPECT_NEAR(result.z(0), 1, 1e-6);
+    EXPECT_NEAR(result.z(1), 2, 1e-6);
     if (result.w.size() > 0) {
-      EXPECT_LT((result.w - problem.M * result.z - problem.q).norm(), 1e-7);
+      EXPECT_LT((result.w - problem.M * result.z - problem.q).norm(), 1e-6);
     }
   }
 }
@@ -97,8 +97,8 @@ TEST_P(EveryPeer, SolvesTwoRows) {
 TEST_P(EveryPeer, MeansTheSameSignOfQ) {
   const Result result = solve(cases::plain(Matrix2d{{1, 0}, {0, 1}}, Vector2d(1, -1)));
   ASSERT_EQ(result.claim, Claim::solved) << result.message;
-  EXPECT_NEAR(result.z(0), 0, 1e-8);
-  EXPECT_NEAR(result.z(1), 1, 1e-8);
+  EXPECT_NEAR(result.z(0), 0, 1e-6);
+  EXPECT_NEAR(result.z(1), 1, 1e-6);
 }
 
 TEST_P(EveryPeer, MeansMAndNotItsTransposeOrDoesNotSupportIt) {
@@ -121,7 +121,7 @@ TEST_P(EveryPeer, RowsOfALargerMatrixAreNotMixedUp) {  // padding, leading dimen
     const VectorXd z = VectorXd::LinSpaced(n, 1, static_cast<double>(n));
     const Result result = solve(cases::plain(M, -M * z));
     ASSERT_EQ(result.claim, Claim::solved) << result.message;
-    EXPECT_LT((result.z - z).norm(), 1e-6) << n;
+    EXPECT_LT((result.z - z).norm(), 1e-5) << n;
   }
 }
 
@@ -132,7 +132,7 @@ TEST_P(EveryPeer, SolvesTheEmptyProblemAndOneRow) {
   for (const double q : {-4.0, 3.0}) {
     const Result one = solve(cases::plain(MatrixXd::Constant(1, 1, 2), VectorXd::Constant(1, q)));
     ASSERT_EQ(one.claim, Claim::solved) << q << ' ' << one.message;
-    EXPECT_NEAR(one.z(0), std::max(0.0, -q / 2), 1e-8);
+    EXPECT_NEAR(one.z(0), std::max(0.0, -q / 2), 1e-6);
   }
 }
 
@@ -181,7 +181,7 @@ TEST_P(EveryPeer, StartsFromAPointOrSaysThatItDoesNot) {
     return;
   }
   ASSERT_EQ(result.claim, Claim::solved) << result.message;
-  EXPECT_LT((result.z - Vector2d(1, 2)).norm(), 1e-7);
+  EXPECT_LT((result.z - Vector2d(1, 2)).norm(), 1e-6);
   EXPECT_LE(result.work.sweeps, solve(problem).work.sweeps);
 }
 
