@@ -9,7 +9,7 @@
 namespace lcp {
 namespace {
 
-constexpr FrictionModel kFour{.directions = 4};
+constexpr FrictionModel kFourDirections{.directions = 4};
 
 /// Contacts 0, 1, 2 on the floor that push down, the second without friction; well conditioned.
 ContactProblem three_contacts() {
@@ -38,14 +38,14 @@ Result solve(const Problem& problem, const Call& call = {}) {
 }
 
 Start carried(const ContactProblem& from, const ContactProblem& to) {
-  const Problem before = friction_lcp(from, kFour), now = friction_lcp(to, kFour);
+  const Problem before = friction_lcp(from, kFourDirections), now = friction_lcp(to, kFourDirections);
   const SolutionByContact apart = by_contact(solve(before), *before.friction, from.contacts);
   return carried_over(apart, *now.friction, to.contacts, now.size());
 }
 
 TEST(CarriedOver, ToTheSameFrameIsItsSolutionAndNeedsNoPivot) {
   const ContactProblem frame = three_contacts();
-  const Problem problem = friction_lcp(frame, kFour);
+  const Problem problem = friction_lcp(frame, kFourDirections);
   const Result solution = solve(problem);
   ASSERT_EQ(solution.claim, Claim::solved);
   ASSERT_GT(solution.work.pivots, 0);
@@ -62,7 +62,7 @@ TEST(CarriedOver, FollowsContactsThatChangePlaces) {
   for (const std::vector<Index>& order :
        {std::vector<Index>{2, 0, 1}, std::vector<Index>{1, 0, 2}, std::vector<Index>{2, 1, 0}}) {
     const ContactProblem other = reordered(frame, order);
-    const Problem problem = friction_lcp(other, kFour);
+    const Problem problem = friction_lcp(other, kFourDirections);
     const Start start = carried(frame, other);
     EXPECT_TRUE(std::is_sorted(start.alpha.begin(), start.alpha.end()));
     EXPECT_LT(cases::natural_residual(problem, start.z), 1e-12);
@@ -75,10 +75,10 @@ TEST(CarriedOver, FollowsContactsThatChangePlaces) {
 TEST(CarriedOver, ANewContactBeginsWithoutForceAndAGoneOneLeavesNothing) {
   const ContactProblem all = three_contacts();
   const ContactProblem two = reordered(all, {0, 1}), others = reordered(all, {2, 1});
-  const Problem problem = friction_lcp(others, kFour);
+  const Problem problem = friction_lcp(others, kFourDirections);
   const FrictionBlocks& blocks = *problem.friction;
   const Start start = carried(two, others);
-  const Problem before = friction_lcp(two, kFour);
+  const Problem before = friction_lcp(two, kFourDirections);
   const Result solution = solve(before);
   ASSERT_EQ(start.z.size(), problem.size());
   EXPECT_EQ(start.z(blocks.normal_row[1]), solution.z(before.friction->normal_row[1]));
@@ -91,7 +91,7 @@ TEST(CarriedOver, OfSeveralContactsWithOneIdTheFirstGoesWithTheFirst) {
   ContactProblem frame = three_contacts();
   frame.contacts[1].mu = 0.3;
   for (Contact& contact : frame.contacts) contact.id = {1, 0, 5};
-  const Problem problem = friction_lcp(frame, kFour);
+  const Problem problem = friction_lcp(frame, kFourDirections);
   EXPECT_EQ(carried(frame, frame).z, solve(problem).z);
 }
 
@@ -100,14 +100,14 @@ TEST(CarriedOver, KeepsTheNormalAloneWhereFrictionComesOrGoes) {
   ContactProblem smooth = rough;
   for (Contact& contact : smooth.contacts) contact.mu = 0;
   const Start start = carried(smooth, rough);
-  EXPECT_EQ(start.z.head(3), solve(friction_lcp(smooth, kFour)).z);
+  EXPECT_EQ(start.z.head(3), solve(friction_lcp(smooth, kFourDirections)).z);
   EXPECT_EQ(start.z.tail(start.z.size() - 3).cwiseAbs().sum(), 0);
-  EXPECT_EQ(carried(rough, smooth).z, VectorXd(solve(friction_lcp(rough, kFour)).z.head(3)));
+  EXPECT_EQ(carried(rough, smooth).z, VectorXd(solve(friction_lcp(rough, kFourDirections)).z.head(3)));
 }
 
 TEST(CarriedOver, OfAMethodWithoutABasisIsAPointAlone) {
   const ContactProblem frame = three_contacts();
-  const Problem problem = friction_lcp(frame, kFour);
+  const Problem problem = friction_lcp(frame, kFourDirections);
   Result solution = solve(problem);
   solution.basis.reset();
   const Start start = carried_over(by_contact(solution, *problem.friction, frame.contacts),
@@ -118,7 +118,7 @@ TEST(CarriedOver, OfAMethodWithoutABasisIsAPointAlone) {
 
 TEST(CarriedOver, RefusesIdsOfOtherContacts) {
   const ContactProblem frame = three_contacts();
-  const Problem problem = friction_lcp(frame, kFour);
+  const Problem problem = friction_lcp(frame, kFourDirections);
   const Result solution = solve(problem);
   EXPECT_THROW(by_contact(solution, *problem.friction, reordered(frame, {0, 1}).contacts),
                std::invalid_argument);

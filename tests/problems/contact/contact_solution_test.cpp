@@ -8,7 +8,7 @@
 namespace lcp {
 namespace {
 
-using Start = ContactModel::Start;
+using Begin = ContactModel::Start;
 
 Result solve_best_first(const Problem& problem, const Call& call) {
   static const NamedSolver solver = make_solver("best-first");
@@ -117,7 +117,7 @@ TEST(SolveContacts, DoesNotApplyWhatIsClaimedButNotAccepted) {
 TEST(SolveContacts, TwoStepStartsFromTheNormalsThatAreActiveWithoutFriction) {
   std::vector<Question> asked;
   const ContactSolution solution = solve_contacts(
-      four_contacts(), {.friction = kFour, .start = Start::two_step}, scripted(asked));
+      four_contacts(), {.friction = kFour, .start = Begin::two_step}, scripted(asked));
   ASSERT_EQ(asked.size(), 2u);
   EXPECT_FALSE(asked[0].call.start);
   EXPECT_EQ(asked[0].problem.size(), 4);
@@ -140,7 +140,7 @@ TEST(SolveContacts, TwoStepLeavesOutDependentNormalsAndAllActiveDoesNot) {
   }
   problem.v_before = problem.vbar;
   for (const auto& [start, rows] :
-       {std::pair(Start::two_step, std::size_t{1}), {Start::all_active, std::size_t{2}}}) {
+       {std::pair(Begin::two_step, std::size_t{1}), {Begin::all_active, std::size_t{2}}}) {
     std::vector<Question> asked;
     ContactSolver solver = scripted(asked);
     solver.solve = [inner = solver.solve](const Problem& each, const Call& call) {
@@ -156,7 +156,7 @@ TEST(SolveContacts, TwoStepLeavesOutDependentNormalsAndAllActiveDoesNot) {
 TEST(SolveContacts, ColdStartsFromTheEmptyBasis) {
   std::vector<Question> asked;
   const ContactSolution solution =
-      solve_contacts(four_contacts(), {.friction = kFour, .start = Start::cold}, scripted(asked));
+      solve_contacts(four_contacts(), {.friction = kFour, .start = Begin::cold}, scripted(asked));
   EXPECT_FALSE(asked.at(1).call.start);
   EXPECT_TRUE(solution.active) << "known all the same";
   EXPECT_EQ(solution.with_friction.work.restarts, 0);
@@ -179,7 +179,7 @@ TEST(SolveContacts, WithoutABasisTheFrictionalLcpIsStartedCold) {
 TEST(SolveContacts, PreviousStartsFromTheSolutionOfTheFrameBefore) {
   for (const bool active_only : {false, true}) {
     const ContactModel model = {
-        .friction = kFour, .start = Start::previous, .active_only = active_only};
+        .friction = kFour, .start = Begin::previous, .active_only = active_only};
     std::vector<Question> asked;
     const ContactProblem problem = four_contacts();
     const ContactSolution first = solve_contacts(problem, model, scripted(asked));
@@ -207,7 +207,7 @@ TEST(SolveContacts, LeavesNothingToTheNextFrameThatWasNotAccepted) {
   EXPECT_TRUE(solutions.frictionless);
 }
 
-class ActiveOnly : public testing::TestWithParam<Start> {
+class ActiveOnly : public testing::TestWithParam<Begin> {
  protected:
   ContactSolution solve(const ContactProblem& problem, std::vector<Question>& asked) const {
     return solve_contacts(problem, {.friction = kFour, .start = GetParam(), .active_only = true},
@@ -222,7 +222,7 @@ TEST_P(ActiveOnly, AsksForTheActiveContactsAndAnswersInTheRowsOfTheFullLcp) {
   const std::vector<Index> active = active_normals(solution);
   ASSERT_EQ(active, (std::vector<Index>{0, 1, 3})) << "contact 3 has no friction";
   EXPECT_EQ(asked.at(1).problem.size(), 3 + 2 * 5);
-  EXPECT_EQ(asked[1].call.start.has_value(), GetParam() != Start::cold);
+  EXPECT_EQ(asked[1].call.start.has_value(), GetParam() != Begin::cold);
   if (asked[1].call.start) {
     EXPECT_EQ(asked[1].call.start->alpha, (std::vector<Index>{0, 1, 2}));
   }
@@ -290,9 +290,9 @@ TEST_P(ActiveOnly, DoesWithoutVelocitiesBeforeTheStepAndWithLessSymmetry) {
   EXPECT_EQ(solve(problem, asked).applied, Applied::frictional);
 }
 
-INSTANTIATE_TEST_SUITE_P(SolveContacts, ActiveOnly, testing::Values(Start::cold, Start::two_step),
+INSTANTIATE_TEST_SUITE_P(SolveContacts, ActiveOnly, testing::Values(Begin::cold, Begin::two_step),
                          [](const auto& each) {
-                           return each.param == Start::cold ? "Cold" : "TwoStep";
+                           return each.param == Begin::cold ? "Cold" : "TwoStep";
                          });
 
 }  // namespace
