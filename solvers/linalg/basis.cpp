@@ -10,7 +10,7 @@ namespace lcp {
 
 namespace {
 
-/// error_within() computes the error where its estimate is not this much smaller than what is asked.
+/// error_within() factorises afresh where its estimate is not this much smaller than what is asked.
 constexpr double kTrust = 1000;
 
 }  // namespace
@@ -22,6 +22,8 @@ Basis::Basis(const ScaledProblem& problem, const std::vector<Index>& alpha,
       refactor_every_(options.refactor_every),
       labels_(problem.size(), alpha),
       factored_(labels_) {
+  etas_.reserve(refactor_every_ - 1);
+  for (std::vector<Index>* list : {&R_, &A_rows_, &A_columns_}) list->reserve(problem.size());
   factorise(options.pivot);
 }
 
@@ -31,10 +33,12 @@ const VectorXd& Basis::covering() const {
 }
 
 void Basis::solve_kernel(VectorXd& b) const {
-  b = lu_.permutationP() * b;
+  const auto& place = lu_.permutationP().indices();
+  permuted_.resize(b.size());
+  for (Index r = 0; r < b.size(); ++r) permuted_(place(r)) = -b(r);
+  b.swap(permuted_);
   lu_.matrixLU().triangularView<Eigen::UnitLower>().solveInPlace(b);
   lu_.matrixLU().triangularView<Eigen::Upper>().solveInPlace(b);
-  b = -b;
 }
 
 void Basis::factorise(double pivot_tolerance) {
@@ -66,18 +70,18 @@ void Basis::factorise(double pivot_tolerance) {
   usable_ = true;
   if (k == 0) return;
 
-  MatrixXd kernel(k, k);
+  kernel_.resize(k, k);
   for (Index a = 0, j = 0; a < k; ++a) {
     if (a == z0_place_) {
-      kernel.col(a) = covering()(R_);
+      kernel_.col(a) = covering()(R_);
       continue;
     }
     const double* const column = problem_.stored().col(A_columns_[j]).data();
     const double scale = problem_.column_scale(A_columns_[j++]);
     for (Index r = 0; r < k; ++r)
-      kernel(r, a) = column[R_[r]] * scale * problem_.row_scales()(R_[r]);
+      kernel_(r, a) = column[R_[r]] * scale * problem_.row_scales()(R_[r]);
   }
-  lu_.compute(kernel);
+  lu_.compute(kernel_);
   ++factorisations_;
   usable_ = smallest_pivot(lu_.matrixLU()) > pivot_tolerance;
   if (!usable_) return;
@@ -85,7 +89,8 @@ void Basis::factorise(double pivot_tolerance) {
   solve_kernel(x_);
   product(x_, -1, y_);
   y_ += problem_.q();
-  for (const Index i : R_) kernel_error_ = std::max(kernel_error_, std::abs(y_(i)));
+  kernel_residual_ = y_(R_);
+  kernel_error_ = kernel_residual_.lpNorm<Eigen::Infinity>();
   spread(y_, x_, q_);
 }
 
@@ -170,8 +175,7 @@ void Basis::factored_entries(Variable v, const std::vector<Index>& rows, VectorX
     Index a = 0;
     for (std::size_t c = 0; c < A_columns_.size(); ++c, ++a) {
       if (a == z0_place_) ++a;
-      sum += x_(a) * problem_.column_scale(A_columns_[c]) *
-             problem_.stored()(basic, A_columns_[c]);
+      sum += x_(a) * problem_.column_scale(A_columns_[c]) * problem_.stored()(basic, A_columns_[c]);
     }
     out(t) = sum * problem_.row_scales()(basic);
     if (z0_place_ >= 0) out(t) += x_(z0_place_) * covering()(basic);
@@ -230,13 +234,13 @@ Variable Basis::pivot(const Pivot& pivot, const VectorXd& column) {
     return leaving;
   }
   const double theta = -q_(pivot.row) / column(pivot.row);
+  if (pivots_ == static_cast<Index>(etas_.size())) etas_.emplace_back();
+  Eta& eta = etas_[pivots_++];
+  eta.pivot = pivot;
+  eta.left = leaving;
+  eta.column = column;
   q_ += theta * column;
   q_(pivot.row) = theta;
-  if (pivots_ == static_cast<Index>(etas_.size())) etas_.emplace_back();
-  etas_[pivots_].pivot = pivot;
-  etas_[pivots_].left = leaving;
-  etas_[pivots_].column = column;
-  ++pivots_;
   const double largest = column.lpNorm<Eigen::Infinity>();
   growth_ = std::max({growth_, largest, largest / std::abs(column(pivot.row))});
   drift_ += std::numeric_limits<double>::epsilon() * (1 + std::abs(theta)) * growth_;
@@ -247,6 +251,15 @@ void Basis::rebuild(const std::vector<Pivot>& path) {
   labels_ = Labels(problem_.size(), alpha_);
   for (const Pivot& step : path) labels_.exchange(step);
   factorise(0);
+}
+
+bool Basis::refine() {
+  if (pivots_ > 0) factorise(0);
+  if (!usable_ || R_.empty()) return usable_;
+  x_ = kernel_residual_;
+  solve_kernel(x_);
+  for (Index a = 0; a < x_.size(); ++a) q_(A_rows_[a]) += x_(a);
+  return true;
 }
 
 double Basis::error() const {
@@ -270,10 +283,10 @@ double Basis::error() const {
   return (sum.cwiseProduct(problem_.row_scales()) + rest).lpNorm<Eigen::Infinity>();
 }
 
-bool Basis::error_within(double e_max) const {
-  if (pivots_ == 0) return kernel_error_ <= e_max;
-  if (kTrust * (kernel_error_ + drift_) <= e_max) return true;
-  return error() <= e_max;
+bool Basis::error_within(double e_max) {
+  if (pivots_ > 0 && kTrust * (kernel_error_ + drift_) <= e_max) return true;
+  if (pivots_ > 0) factorise(0);
+  return usable_ && kernel_error_ <= e_max;
 }
 
 }  // namespace lcp

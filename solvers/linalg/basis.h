@@ -35,10 +35,15 @@ class Basis {
   /// |w - M z - q - z0 c|_inf of the basic solution: only the rows R can be off, since the other w
   /// are computed from z. After a fresh factorisation it is known without further work.
   double error() const;
-  /// Whether error() <= e_max. Between factorisations a running estimate answers (see Eta) unless it
-  /// comes within a factor of 1000 of e_max; then error() is computed.
-  bool error_within(double e_max) const;
+  /// Whether error() <= e_max. Between factorisations a running estimate answers (see drift_) unless it
+  /// comes within a factor of 1000 of e_max: then the basis is factorised afresh, and nothing that was
+  /// added up since is left.
+  bool error_within(double e_max);
   const VectorXd& covering() const;
+  /// Factorises this basis afresh, unless that was done last, and improves the basic z by one step of
+  /// iterative refinement: x_A -= M_RA^-1 (q_R + M_RA x_A). The basic w of q() stay as they were. False
+  /// if the kernel is singular.
+  bool refine();
 
   Index factorisations() const { return factorisations_; }
   Index replayed() const { return 0; }
@@ -55,23 +60,26 @@ class Basis {
   std::vector<Index> alpha_;
   Index refactor_every_;
   Labels labels_;
-  Labels factored_;  ///< Labels when the kernel was factorised.
+  Labels factored_;            ///< Labels when the kernel was factorised.
   mutable VectorXd covering_;  ///< Empty until asked for.
   VectorXd q_;
-  std::vector<Index> R_;       ///< Rows whose w was nonbasic then, ascending.
-  std::vector<Index> A_rows_;  ///< Dictionary rows of the basic z (and z0) then, ascending.
-  std::vector<Index> A_columns_;   ///< Their columns of M, in that order, without z0.
-  Index z0_place_ = -1;            ///< Place of z0 in A_rows_, or -1.
-  std::vector<Index> w_of_row_;    ///< Row i held w of this index then; 0 for the rows A.
+  std::vector<Index> R_;          ///< Rows whose w was nonbasic then, ascending.
+  std::vector<Index> A_rows_;     ///< Dictionary rows of the basic z (and z0) then, ascending.
+  std::vector<Index> A_columns_;  ///< Their columns of M, in that order, without z0.
+  Index z0_place_ = -1;           ///< Place of z0 in A_rows_, or -1.
+  std::vector<Index> w_of_row_;   ///< Row i held w of this index then; 0 for the rows A.
   Eigen::PartialPivLU<MatrixXd> lu_;
-  double kernel_error_ = 0;  ///< |q_R + M_RA x_A|_inf of the last factorisation.
-  double drift_ = 0;         ///< Estimate of what the pivots since have added to it: the sum of
-                             ///< machine epsilon (1 + |theta|) growth_.
-  double growth_ = 1;        ///< Largest |m'|_inf and |m'|_inf / |m'_s| since.
-  std::vector<Eta> etas_;    ///< The first `pivots_` are in use; the others keep their memory.
+  VectorXd kernel_residual_;  ///< q_R + M_RA x_A of the last factorisation,
+  double kernel_error_ = 0;   ///< and its maximum norm.
+  double drift_ = 0;          ///< Estimate of what the pivots since have added to it: the sum of
+                              ///< machine epsilon (1 + |theta|) growth_.
+  double growth_ = 1;         ///< Largest |m'|_inf and |m'|_inf / |m'_s| since.
+  std::vector<Eta> etas_;     ///< The first `pivots_` are in use; the others keep their memory.
   Index pivots_ = 0;
   bool usable_ = true;
   Index factorisations_ = 0;
+  MatrixXd kernel_;
+  mutable VectorXd permuted_;
   VectorXd x_, y_, coefficients_;  ///< Room to work in.
 
   /// Factorises the kernel of labels_; not usable unless every pivot of its LU is larger than

@@ -17,6 +17,7 @@ Result basic_result(const ScaledProblem& problem, const Labels& labels, const Ve
   result.w = VectorXd::Zero(n);
   result.covering = covering;
   std::vector<Index> basis;
+  basis.reserve(n);
   for (Index row = 0; row < n; ++row) {
     const Variable v = labels.basic(row);
     if (labels.is_w(v)) {

@@ -11,6 +11,20 @@
 
 namespace lcp {
 
+/// |x| below which exp(-x) - 1 = -x + x^2 / 2 to a relative 2e-17.
+constexpr double kShortSeries = 1e-8;
+
+/// Two rows at a time: what every x86-64 has.
+using Pair = double __attribute__((vector_size(16)));
+
+inline Pair pair_at(const double* from) {
+  Pair pair;
+  std::memcpy(&pair, from, sizeof(Pair));
+  return pair;
+}
+
+inline Pair both(double x) { return Pair{x, x}; }
+
 /// Which pivots a search may take, and what they cost.
 struct Pricing {
   double epsilon = 0;          ///< min q' may fall to -epsilon.
@@ -20,7 +34,8 @@ struct Pricing {
 
   /// Of a pivot that leaves q_min, in units of the grid.
   std::int64_t cost(double q_min) const {
-    double excess = std::expm1(-q_min);
+    // Where the series ends with its second term in doubles, most of the time, it is taken.
+    double excess = std::abs(q_min) < kShortSeries ? q_min * (0.5 * q_min - 1) : std::expm1(-q_min);
     if (clean_is_free) excess = std::max(0.0, excess);
     return std::llround(excess / grid) + (as_printed ? std::llround(1 / grid) : 0);
   }
@@ -39,47 +54,79 @@ struct RatioInterval {
   bool empty = false;  ///< Some q'_k <= -epsilon that m' does not move.
 };
 
-/// That interval, from -epsilon on, and `ratios` = -q' / m'. Two rows at a time, without branches: the
-/// signs of m' follow no pattern.
+/// That interval, from -epsilon on, and `ratios` = -q' / m'. Without branches, since the signs of m'
+/// follow no pattern, and four rows at a time, since each minimum waits for the one before.
 inline RatioInterval ratio_interval(const VectorXd& q, const VectorXd& m, double epsilon,
                                     VectorXd& ratios) {
-  using Pair = double __attribute__((vector_size(16)));
   constexpr double infinity = std::numeric_limits<double>::infinity();
+  struct Bounds {
+    Pair low, high;
+    decltype(both(0) < both(0)) stuck;
+    double epsilon;
+
+    /// Returns -q' / m' of the two rows.
+    Pair add(Pair qk, Pair mk) {
+      const Pair inverse = 1.0 / mk, room = qk + epsilon, bound = -room * inverse;
+      const Pair above = mk < 0.0 ? bound : both(infinity);
+      const Pair below = mk > 0.0 ? bound : both(-infinity);
+      high = above < high ? above : high;
+      low = below > low ? below : low;
+      stuck |= (mk == 0.0) & ~(room > 0.0);
+      return -qk * inverse;
+    }
+  };
   const Index n = q.size();
   ratios.resize(n);
-  Pair low = {-epsilon, -epsilon}, high = {infinity, infinity};
-  bool empty = false;
-  for (Index k = 0; k < n; k += 2) {
-    const std::size_t bytes = (k + 1 < n ? 2 : 1) * sizeof(double);
-    Pair mk = {1, 1}, qk = {infinity, infinity};  // a row that bounds nothing, where n is odd
-    if (bytes == sizeof(Pair)) {
-      std::memcpy(&mk, m.data() + k, sizeof(Pair));
-      std::memcpy(&qk, q.data() + k, sizeof(Pair));
-    } else {
-      mk[0] = m(k);
-      qk[0] = q(k);
-    }
-    const Pair inverse = 1.0 / mk, room = qk + epsilon, bound = -room * inverse,
-               ratio = -qk * inverse;
-    const auto negative = mk < 0.0, positive = mk > 0.0;
-    const Pair above = negative ? bound : Pair{infinity, infinity};
-    const Pair below = positive ? bound : Pair{-infinity, -infinity};
-    high = above < high ? above : high;
-    low = below > low ? below : low;
-    const auto stuck = (mk == 0.0) & ~(room > 0.0);
-    empty |= (stuck[0] | stuck[1]) != 0;
-    std::memcpy(ratios.data() + k, &ratio, bytes);
+  const Bounds none{both(-epsilon), both(infinity), both(0) < both(0), epsilon};
+  Bounds even = none, odd = none;
+  Index k = 0;
+  for (; k + 4 <= n; k += 4) {
+    const Pair first = even.add(pair_at(q.data() + k), pair_at(m.data() + k));
+    const Pair second = odd.add(pair_at(q.data() + k + 2), pair_at(m.data() + k + 2));
+    std::memcpy(ratios.data() + k, &first, sizeof(Pair));
+    std::memcpy(ratios.data() + k + 2, &second, sizeof(Pair));
   }
-  return {std::max(low[0], low[1]), std::min(high[0], high[1]), empty};
+  for (; k < n; ++k)  // next to a row that bounds nothing
+    ratios(k) = even.add(Pair{q(k), infinity}, Pair{m(k), 1})[0];
+  const auto stuck = even.stuck | odd.stuck;
+  const Pair low = even.low > odd.low ? even.low : odd.low;
+  const Pair high = even.high < odd.high ? even.high : odd.high;
+  return {std::max(low[0], low[1]), std::min(high[0], high[1]), (stuck[0] | stuck[1]) != 0};
 }
 
 /// min over k of q'_k + theta m'_k, without row `but`.
 inline double least_after(const VectorXd& q, const VectorXd& m, double theta, Index but) {
-  const Index rest = q.size() - but - 1;
-  double least = std::numeric_limits<double>::infinity();
-  if (but > 0) least = (q.head(but) + theta * m.head(but)).minCoeff();
-  if (rest > 0) least = std::min(least, (q.tail(rest) + theta * m.tail(rest)).minCoeff());
-  return least;
+  Pair even = both(std::numeric_limits<double>::infinity()), odd = even;
+  const auto over = [&](Index k, Index end) {
+    for (; k + 4 <= end; k += 4) {
+      const Pair first = pair_at(q.data() + k) + theta * pair_at(m.data() + k);
+      const Pair second = pair_at(q.data() + k + 2) + theta * pair_at(m.data() + k + 2);
+      even = first < even ? first : even;
+      odd = second < odd ? second : odd;
+    }
+    for (; k < end; ++k) even[0] = std::min(even[0], q(k) + theta * m(k));
+  };
+  over(0, but);
+  over(but + 1, q.size());
+  return std::min({even[0], even[1], odd[0], odd[1]});
+}
+
+/// Appends the rows whose ratio lies strictly within the interval.
+template <class Append>
+void rows_within(const VectorXd& ratios, const RatioInterval& interval, const Append& append) {
+  const Pair low = both(interval.low), high = both(interval.high);
+  const auto add = [&](Index i) {
+    if ((ratios(i) > interval.low) & (ratios(i) < interval.high)) append(i);
+  };
+  const Index n = ratios.size();
+  Index i = 0;
+  for (; i + 4 <= n; i += 4) {
+    const Pair first = pair_at(ratios.data() + i), second = pair_at(ratios.data() + i + 2);
+    const auto inside = ((first > low) & (first < high)) | ((second > low) & (second < high));
+    if ((inside[0] | inside[1]) == 0) continue;
+    for (Index k = i; k < i + 4; ++k) add(k);
+  }
+  for (; i < n; ++i) add(i);
 }
 
 /// The rows i whose pivot leaves min q' > -epsilon; `blocks(m_i)` says which sign of m'_i can block.
@@ -101,26 +148,25 @@ void find_candidates(const VectorXd& q, const VectorXd& m, const Blocks& blocks,
   const RatioInterval interval = ratio_interval(q, m, pricing.epsilon, ratios);
   if (interval.empty) return;
   double least = std::numeric_limits<double>::infinity(), largest = -least;
-  for (Index i = 0; i < q.size(); ++i) {
-    const double theta = ratios(i);
-    if (!((theta > interval.low) & (theta < interval.high))) continue;
-    if (!blocks(m(i))) continue;
-    candidates.push_back({i, theta, 0});
-    least = std::min(least, theta);
-    largest = std::max(largest, theta);
-  }
+  rows_within(ratios, interval, [&](Index i) {
+    if (!blocks(m(i))) return;
+    candidates.push_back({i, ratios(i), 0});
+    least = std::min(least, ratios(i));
+    largest = std::max(largest, ratios(i));
+  });
   if (candidates.empty()) return;
 
   const double clean = std::min(pricing.grid / 4, pricing.epsilon);
-  if (candidates.size() > 2 && largest < clean &&
-      (q + least * m).minCoeff() > -clean && (q + largest * m).minCoeff() > -clean) {
-    for (PivotCandidate& candidate : candidates) candidate.cost = pricing.cost(0);
+  if (candidates.size() > 2 && largest < clean && (q + least * m).minCoeff() > -clean &&
+      (q + largest * m).minCoeff() > -clean) {
+    const std::int64_t nothing = pricing.cost(0);
+    for (PivotCandidate& candidate : candidates) candidate.cost = nothing;
     return;
   }
   std::size_t kept = 0;
   for (PivotCandidate candidate : candidates) {
-    const double q_min = std::min(candidate.ratio,
-                                  least_after(q, m, candidate.ratio, candidate.row));
+    const double q_min =
+        std::min(candidate.ratio, least_after(q, m, candidate.ratio, candidate.row));
     if (!(q_min > -pricing.epsilon)) continue;
     candidate.cost = pricing.cost(q_min);
     candidates[kept++] = candidate;

@@ -1,30 +1,35 @@
 #include "solvers/linalg/polish.h"
 
+#include <limits>
+
 #include "solvers/linalg/natural_residual.h"
-#include "solvers/linalg/start.h"
 
 namespace lcp {
 
-Index polish(const Problem& problem, const ScaledProblem& scaled, Result& result) {
-  const std::vector<Index>& alpha = *result.basis;
-  if (alpha.empty()) return 0;
-  const MatrixXd kernel = scaled.M()(alpha, alpha);
-  const VectorXd q_alpha = scaled.q()(alpha);
-  const Eigen::PartialPivLU<MatrixXd> lu(kernel);
-  if (!(smallest_pivot(lu.matrixLU()) > 0)) return 1;
-  VectorXd z_alpha = -lu.solve(q_alpha);
-  z_alpha -= lu.solve(kernel * z_alpha + q_alpha);
+namespace {
 
-  VectorXd z = VectorXd::Zero(problem.size()), w = z, covering = z;
-  z(alpha) = z_alpha.cwiseMax(0.0);
-  scaled.unscale(z, w, covering);
+/// A natural residual that is not compared with the one before, which would cost another product.
+constexpr double kRounding = 4 * std::numeric_limits<double>::epsilon();
+
+}  // namespace
+
+void polish(const Problem& problem, const ScaledProblem& scaled, Basis& basis, Result& result) {
+  if (result.basis->empty()) return;
+  const Index before = basis.factorisations();
+  const bool refined = basis.refine();
+  result.work.factorisations += basis.factorisations() - before;
+  if (!refined) return;
+
+  const Labels& labels = basis.labels();
+  VectorXd z = VectorXd::Zero(problem.size()), w;
+  for (const Index i : *result.basis)
+    z(i) = std::max(0.0, basis.q()(labels.row_of(labels.z(i)))) * scaled.column_scale(i);
+  const double residual = natural_residual(problem, z, w);
   VectorXd old_w;
-  const double old_residual = natural_residual(problem, result.z, old_w);
-  if (natural_residual(problem, z, w) < old_residual) {
-    result.z = z;
-    result.w = w;
+  if (residual <= kRounding || residual < natural_residual(problem, result.z, old_w)) {
+    result.z.swap(z);
+    result.w.swap(w);
   }
-  return 1;
 }
 
 }  // namespace lcp

@@ -47,28 +47,43 @@ void BasisKey::set_entering(Variable next) {
 }
 
 std::size_t Visited::slot_of(const BasisKey& key) const {
-  const std::size_t mask = slots_.size() - 1;
+  const std::size_t mask = slots_.size() - 1, words = key.z_basic.size();
   for (std::size_t slot = key.hash & mask;; slot = (slot + 1) & mask) {
     if (slots_[slot] == 0) return slot;
-    const BasisKey& known = keys_[slots_[slot] - 1];
-    if (known.hash == key.hash && known.entering == key.entering && known.z_basic == key.z_basic)
+    const std::size_t number = static_cast<std::size_t>(slots_[slot]) - 1;
+    if (seen_[number].hash == key.hash && seen_[number].entering == key.entering &&
+        std::equal(key.z_basic.begin(), key.z_basic.end(), &words_[number * words]))
       return slot;
   }
 }
 
-void Visited::grow() {
+void Visited::grow(std::size_t words) {
   slots_.assign(std::max<std::size_t>(64, 2 * slots_.size()), 0);
-  for (std::size_t number = 0; number < keys_.size(); ++number)
-    slots_[slot_of(keys_[number])] = static_cast<std::int32_t>(number + 1);
+  seen_.reserve(slots_.size() / 2);
+  words_.reserve(slots_.size() / 2 * words);
+  const std::size_t mask = slots_.size() - 1;
+  for (std::size_t number = 0; number < seen_.size(); ++number) {  // all different
+    std::size_t slot = seen_[number].hash & mask;
+    while (slots_[slot] != 0) slot = (slot + 1) & mask;
+    slots_[slot] = static_cast<std::int32_t>(number + 1);
+  }
 }
 
 bool Visited::insert(const BasisKey& key) {
-  if (2 * keys_.size() >= slots_.size()) grow();
+  if (2 * seen_.size() >= slots_.size()) grow(key.z_basic.size());
   const std::size_t slot = slot_of(key);
   if (slots_[slot] != 0) return false;
-  keys_.push_back(key);
-  slots_[slot] = static_cast<std::int32_t>(keys_.size());
+  seen_.push_back({key.hash, key.entering});
+  words_.insert(words_.end(), key.z_basic.begin(), key.z_basic.end());
+  slots_[slot] = static_cast<std::int32_t>(seen_.size());
   return true;
+}
+
+void Visited::copy_key(Index number, BasisKey& key) const {
+  const auto begin = words_.begin() + number * static_cast<Index>(key.z_basic.size());
+  std::copy_n(begin, key.z_basic.size(), key.z_basic.begin());
+  key.hash = seen_[number].hash;
+  key.entering = seen_[number].entering;
 }
 
 }  // namespace lcp

@@ -29,16 +29,21 @@ class Visited {
  public:
   /// False if the key was there already.
   bool insert(const BasisKey& key);
-  const BasisKey& key(Index number) const { return keys_[number]; }
-  Index size() const { return static_cast<Index>(keys_.size()); }
+  void copy_key(Index number, BasisKey& key) const;
+  Index size() const { return static_cast<Index>(seen_.size()); }
 
  private:
-  std::vector<BasisKey> keys_;
+  struct Seen {
+    std::uint64_t hash;
+    Variable entering;
+  };
+  std::vector<Seen> seen_;
+  std::vector<std::uint64_t> words_;  ///< z_basic of all, one after the other.
   std::vector<std::int32_t> slots_;  ///< Open addressing by hash: number + 1, or 0; a power of two.
 
   /// Slot of the key, or the free one where it belongs.
   std::size_t slot_of(const BasisKey& key) const;
-  void grow();
+  void grow(std::size_t words);
 };
 
 }  // namespace lcp

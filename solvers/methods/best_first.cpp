@@ -5,9 +5,9 @@
 //           it, m' its column, q_min(i) the least element of q' after a pivot in row i; epsilon,
 //           e_max and totalCost as in the paper. Each node has its own basis; goal nodes are those
 //           in which z0 leaves.
-// Cost      A node opened costs one basis change: on a factorised basis two products with n x k doubles,
-//           and an LU every `refactor_every` nodes along a path and on every return to an abandoned
-//           branch; n (n + 1) multiply-adds on a tableau, which such a return repeats from where it
+// Cost      A node opened costs one basis change: on a factorised basis one product with n x k doubles
+//           and n for each pivot since the last LU, of which there is one every `refactor_every` nodes
+//           along a path, where rounding may have grown, and on every return to an abandoned branch; n (n + 1) multiply-adds on a tableau, which such a return repeats from where it
 //           forked. Candidates cost O(n) each, after O(n) that rules
 //           out the rest. The queue holds (basis, driving variable) of every node generated: n/64
 //           words each.
@@ -68,7 +68,7 @@ struct BestFirstOptions {
   Index patience = 500;
   Index max_nodes = 20000;
   bool polish = true;
-  PivotingOptions pivoting = {.pivot = 1e-12, .scale = true, .refactor_every = 8};
+  PivotingOptions pivoting = {.pivot = 1e-12, .scale = true, .refactor_every = 32};
 };
 
 OptionTable option_table(BestFirstOptions& options, OptionTable pivoting) {
@@ -120,6 +120,9 @@ constexpr Index no_node = -1;
 /// By how much each attempt's cost grid is coarser than the one before, and how far it may be above
 /// epsilon: there every candidate costs nothing, and the deepest comes first.
 constexpr double kWiden = 100, kWidest = 100;
+
+/// Nodes and children for which there is room before anything is allocated again.
+constexpr std::size_t kRoom = 64;
 
 /// A pivot that was carried out.
 struct Node {
@@ -183,6 +186,10 @@ class Search {
     if (scaled_.size() == 0 || dictionary_.q().minCoeff() >= -accepted)
       return finish(Claim::solved, "");
 
+    nodes_.reserve(kRoom);
+    children_.reserve(kRoom);
+    siblings_.reserve(kRoom);
+    candidates_.reserve(kRoom);
     step0();
     while (!queue_.empty()) {
       if (work_.nodes == options_.max_nodes)
@@ -244,10 +251,10 @@ class Search {
     if (options_.order == Order::lexicographic && candidates_.size() > 1)
       put_lexicographic_choice_first();
     if (options_.order == Order::pivot)
-      std::stable_sort(candidates_.begin(), candidates_.end(),
-                       [this](const PivotCandidate& a, const PivotCandidate& b) {
-                         return m_(a.row) < m_(b.row);
-                       });
+      std::sort(candidates_.begin(), candidates_.end(),
+                [this](const PivotCandidate& a, const PivotCandidate& b) {
+                  return m_(a.row) != m_(b.row) ? m_(a.row) < m_(b.row) : a.row < b.row;
+                });
     append_candidates(driving);
   }
 
@@ -267,8 +274,9 @@ class Search {
       children_.push_back({candidate.row, labels().basic(candidate.row), candidate.ratio,
                            m_(candidate.row), candidate.cost, ++work_.generated});
     if (options_.ties == Ties::lifo) std::reverse(children_.begin() + begin, children_.end());
-    std::stable_sort(children_.begin() + begin, children_.end(),
-                     [](const Child& a, const Child& b) { return a.cost < b.cost; });
+    const auto cheaper = [](const Child& a, const Child& b) { return a.cost < b.cost; };
+    if (!std::is_sorted(children_.begin() + begin, children_.end(), cheaper))
+      std::stable_sort(children_.begin() + begin, children_.end(), cheaper);
     const Index count = static_cast<Index>(candidates_.size());
     siblings_.push_back({opened_, entering, begin, begin + count, count});
     waiting_ += count;
@@ -300,14 +308,23 @@ class Search {
     queue_next(best.siblings);
     --waiting_;
 
-    key_ = parent == no_node ? first_key_ : visited_.key(nodes_[parent].key);
+    if (parent == no_node) {
+      key_ = first_key_;
+    } else {
+      visited_.copy_key(nodes_[parent].key, key_);
+    }
     key_.follow(labels(), entering, child.leaving,
                 child.leaving == labels().z0() ? -1 : labels().complement(child.leaving));
     if (!visited_.insert(key_)) return false;
 
     const Index x = static_cast<Index>(nodes_.size());
-    nodes_.push_back({parent, depth_of(parent) + 1, {child.row, entering}, child.leaving, best.cost,
-                      child.number, visited_.size() - 1});
+    nodes_.push_back({parent,
+                      depth_of(parent) + 1,
+                      {child.row, entering},
+                      child.leaving,
+                      best.cost,
+                      child.number,
+                      visited_.size() - 1});
     if (parent == opened_) {
       dictionary_.pivot(nodes_[x].pivot, m_);
     } else {
@@ -343,9 +360,18 @@ class Search {
   Result finish(Claim claim, std::string message) {
     work_.path = opened_ == no_node ? 0 : nodes_[opened_].depth;
     Result result = basic_result(scaled_, dictionary_, work_, claim, std::move(message));
-    if (result.claim == Claim::solved && options_.polish)
-      result.work.factorisations += polish(problem_, scaled_, result);
+    if (result.claim == Claim::solved && options_.polish) polish_on_factors(result);
     return result;
+  }
+
+  void polish_on_factors(Result& result) {
+    if constexpr (std::is_same_v<Dictionary, Basis>) {
+      polish(problem_, scaled_, dictionary_, result);
+    } else {
+      Basis afresh(scaled_, *result.basis, options_.pivoting);
+      result.work.factorisations += afresh.factorisations();
+      polish(problem_, scaled_, afresh, result);
+    }
   }
 
   const Problem& problem_;

@@ -49,10 +49,10 @@ struct Figures {
 void measure(const Problem& problem, const NamedSolver& named, int repetitions, Figures& figures) {
   ++figures.instances;
   const auto remember = [&](const PivotEvent& event) {
-    for (const std::int64_t number : {static_cast<std::int64_t>(event.row),
-                                      static_cast<std::int64_t>(event.entering)})
-      figures.pivots_hash = (figures.pivots_hash ^ static_cast<std::uint64_t>(number)) *
-                            0x100000001b3U;
+    for (const std::int64_t number :
+         {static_cast<std::int64_t>(event.row), static_cast<std::int64_t>(event.entering)})
+      figures.pivots_hash =
+          (figures.pivots_hash ^ static_cast<std::uint64_t>(number)) * 0x100000001b3U;
   };
   const Result result = named.solver->solve(problem, {{}, remember});
   figures.nodes += result.work.nodes > 0 ? result.work.nodes : result.work.pivots;
@@ -73,20 +73,22 @@ void measure(const Problem& problem, const NamedSolver& named, int repetitions, 
   double cold = INFINITY, started = INFINITY, one_pass = INFINITY, limit = INFINITY;
   for (int r = 0; r < repetitions; ++r) {
     cold = std::min(cold, microseconds([&] { named.solver->solve(problem); }));
-    started = std::min(started, microseconds([&] { named.solver->solve(problem, {Start{alpha}, {}}); }));
+    started = std::min(started, microseconds([&] {
+                         named.solver->solve(problem, {Start{alpha}, {}});
+                       }));
     one_pass = std::min(one_pass, microseconds([&] {
-                          for (int i = 0; i < 100; ++i) {
-                            y.noalias() = pass * x;
-                            asm volatile("" : : "g"(y.data()) : "memory");
-                          }
-                        }) / 100);
+                                    for (int i = 0; i < 100; ++i) {
+                                      y.noalias() = pass * x;
+                                      asm volatile("" : : "g"(y.data()) : "memory");
+                                    }
+                                  }) / 100);
     limit = std::min(limit, microseconds([&] {
-                       for (int i = 0; i < 10; ++i) {
-                         z = -kernel.partialPivLu().solve(q_alpha);
-                         y.noalias() = problem.q + columns * z;
-                         asm volatile("" : : "g"(y.data()) : "memory");
-                       }
-                     }) / 10);
+                              for (int i = 0; i < 10; ++i) {
+                                z = -kernel.partialPivLu().solve(q_alpha);
+                                y.noalias() = problem.q + columns * z;
+                                asm volatile("" : : "g"(y.data()) : "memory");
+                              }
+                            }) / 10);
   }
   figures.cold.push_back(cold);
   figures.started.push_back(started);
@@ -106,7 +108,7 @@ int run(int argc, char** argv) {
   CLI::App app{"Pivoting solvers against the limit"};
   std::vector<std::string> solvers = {"best-first"}, corpora;
   int repetitions = 7;
-  app.add_option("--solver", solvers, "NAME[:key=value,...], repeatable")->take_all();
+  app.add_option("--solver", solvers, "NAME[:key=value,...], repeatable")->allow_extra_args(false);
   app.add_option("--repetitions", repetitions, "Of which the least time counts");
   app.add_option("corpora", corpora, "FILE, FILE#NAME or directory; default: generated contacts");
   CLI11_PARSE(app, argc, argv);
@@ -121,7 +123,8 @@ int run(int argc, char** argv) {
   for (const std::string& where : corpora)
     for (Instance& instance : load_instances(where)) {
       const std::string set = instance.name.substr(0, instance.name.rfind('/'));
-      auto known = std::find_if(sets.begin(), sets.end(), [&](const auto& s) { return s.first == set; });
+      auto known =
+          std::find_if(sets.begin(), sets.end(), [&](const auto& s) { return s.first == set; });
       if (known == sets.end()) known = sets.insert(sets.end(), {set, {}});
       known->second.push_back(std::move(instance));
     }
