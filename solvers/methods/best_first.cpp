@@ -5,12 +5,12 @@
 //           it, m' its column, q_min(i) the least element of q' after a pivot in row i; epsilon,
 //           e_max and totalCost as in the paper. Each node has its own basis; goal nodes are those
 //           in which z0 leaves.
-// Cost      A node opened costs one basis change: on a factorised basis one product with n x k doubles
-//           and n for each pivot since the last LU, of which there is one every `refactor_every` nodes
-//           along a path, where rounding may have grown, and on every return to an abandoned branch; n (n + 1) multiply-adds on a tableau, which such a return repeats from where it
-//           forked. Candidates cost O(n) each, after O(n) that rules
-//           out the rest. The queue holds (basis, driving variable) of every node generated: n/64
-//           words each.
+// Cost      A node opened costs one basis change. On a factorised basis that is one product with n x k
+//           doubles, n for each pivot since the last LU, and an LU every `refactor_every` nodes along a
+//           path, where rounding may have grown, and on every return to an abandoned branch. On a
+//           tableau it is n (n + 1) multiply-adds, which such a return repeats from where it forked.
+//           Candidates cost O(n) each, after O(n) that rules out the rest. Bases opened are kept: n/64
+//           words each; of the children of a node only the best one waiting is in the queue.
 // Class     The complementary path of Lemke's algorithm is among those searched (exactly tied rows
 //           all have q_min = 0), so whatever that path solves is solved if the queue may grow; no
 //           basis is opened twice with the same driving variable, so the search ends. In floating
