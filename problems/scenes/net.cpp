@@ -5,7 +5,7 @@
 // String    16 ball joints, the first and the last in the world, and 15 capsules between them, 60 mm
 //           long and 16 mm thick, 18 g; a damping of 0.1 mN m s/rad in all joints but the last. A string
 //           begins as an arc that sags by a fifth of its length.
-// Cylinders 60 mm thick, 0.25 m long, 0.25 kg: three along x, side by side, and two along y above them.
+// Cylinders 90 mm thick, 0.3 m long, 0.25 kg: three along x, side by side, and two along y above them.
 // Loops     The last joint of each string closes a loop through the world; what opens of it between
 //           steps closes again at 100 1/s.
 // Source    K. Yamane, Y. Nakamura (2008), V-C; sizes, masses, motion and friction are not published.
