@@ -1,5 +1,7 @@
 #pragma once
 
+#include <utility>
+
 #include "solvers/linalg/pivoting_options.h"
 #include "solvers/linalg/ratio_test.h"
 #include "solvers/linalg/scaled_problem.h"
@@ -68,6 +70,7 @@ Result follow_complementary_path(const Problem& problem, const PivotingOptions& 
   Blocking blocking{rule.step0(dictionary.q(), m), 0, 1};  // Step 0
   blocking.ratio = -dictionary.q()(blocking.row) / m(blocking.row);
   Visited visited;
+  BasisKey key(labels, -1);
   while (true) {
     if (work.pivots == max_pivots)
       return finish(Claim::limit, "max_pivots=" + std::to_string(max_pivots) + " reached");
@@ -82,8 +85,9 @@ Result follow_complementary_path(const Problem& problem, const PivotingOptions& 
     if (!dictionary.q().allFinite()) return finish(Claim::singular, "q' is not finite");
     if (leaving == labels.z0()) return finish(Claim::solved, "");
 
-    driving = labels.complement(leaving);
-    if (!visited.insert(BasisKey(labels, driving)))
+    const Variable entered = std::exchange(driving, labels.complement(leaving));
+    key.follow(labels, entered, leaving, driving);
+    if (!visited.insert(key))
       return finish(Claim::cycle, "basis and driving variable of an earlier pivot came back");
     dictionary.column(driving, m);
     blocking = rule.step1(dictionary, m, first);  // Step 1

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <algorithm>
+
 #include "solvers/linalg/labels.h"
 
 namespace lcp {
@@ -57,9 +59,10 @@ Blocking lexicographic_ratio_test(Dictionary& dictionary, const VectorXd& m,
     const bool last = j + 1 == first.size();
     const Index unit_row = labels.row_of(first[j]);
     if (unit_row >= 0) {
-      entries = VectorXd::Zero(static_cast<Index>(tied.size()));
-      for (std::size_t t = 0; t < tied.size(); ++t)
-        if (tied[t] == unit_row) entries(t) = 1;
+      const auto place = std::find(tied.begin(), tied.end(), unit_row);
+      if (place == tied.end()) continue;  // 0 in all tied rows
+      entries.setZero(static_cast<Index>(tied.size()));
+      entries(place - tied.begin()) = 1;
     } else {
       dictionary.entries(first[j], tied, entries);
       entries = -entries;
