@@ -55,11 +55,12 @@ struct Progress {
 /// I/O stay outside the clock; both steps of a two-step solve are inside. A row from a previous
 /// solution has hash_with_previous as its sha256, since its result depends on that too.
 ///
-/// Solvers, and each one's starts, are interleaved: one repetition of each before the next repetition of any, so that drift
-/// of the machine hits all alike. The first run of a pair decides its verdict. Where that is
-/// `solved`, it was the warm-up, and timed repetitions follow until the spread is small (3 at least)
-/// or there are max_samples; a first run longer than 1 s, or with max_samples = 1, is itself the
-/// only sample. A pair that fails has one sample, the time of the run that failed, and is not run
+/// Solvers, and each one's starts, are interleaved: one repetition of each before the next repetition
+/// of any, so that drift of the machine hits all alike. The first run of a pair decides its verdict.
+/// Where that is `solved`, it was the warm-up, and timed repetitions follow until the spread is small
+/// (3 at least) or there are max_samples, each of less than 2 ms right after another that is not
+/// timed, which brings the problem back into the caches; a first run longer than 1 s, or with
+/// max_samples = 1, is itself the only sample. A pair that fails has one sample, the time of the run that failed, and is not run
 /// again. Same input, same bits is part of what a solver promises: one whose later answer differs
 /// from its first in any field is `wrong`, and the message says why.
 ///

@@ -28,6 +28,9 @@ using std::chrono::nanoseconds;
 constexpr std::size_t output_kept = 400;                   // Bytes.
 constexpr std::size_t pipe_capacity = 65536;               // Bytes, the system's default.
 constexpr auto look_every = std::chrono::milliseconds(5);  // At resident memory.
+/// A solve that takes less than this is timed right after another, untimed one: other workers had
+/// the caches in between, and reading the problem back from memory would take longer than solving it.
+constexpr auto cold_start_counts = std::chrono::milliseconds(2);
 constexpr int worker_socket = 3;  // In the child, beside stdin, stdout and stderr.
 
 /// What a worker sends ahead of the bytes of a result, or of the text of an exception.
@@ -82,28 +85,45 @@ void isolate(pid_t parent, int socket, int output) {
   close_range(worker_socket + 1, UINT_MAX, 0);
 }
 
-/// One solve per byte that arrives, until the parent hangs up.
+/// An answer, or the text of what was thrown instead.
+struct Reply {
+  std::string bytes;
+  bool threw = true;
+  nanoseconds time{};
+};
+
+Reply reply_of(const std::function<Result()>& solve) {
+  Reply reply;
+  Result result;
+  const auto begin = std::chrono::steady_clock::now();
+  try {
+    result = solve();
+    reply.threw = false;
+  } catch (const std::exception& error) {
+    reply.bytes = error.what();
+  } catch (...) {
+    reply.bytes = "not a std::exception";
+  }
+  reply.time = std::chrono::steady_clock::now() - begin;
+  std::fflush(nullptr);
+  if (!reply.threw) reply.bytes = encode(result);
+  return reply;
+}
+
+/// One timed solve per byte that arrives, until the parent hangs up.
 [[noreturn]] void serve(const std::function<Result()>& solve) {
   char go;
+  nanoseconds last = cold_start_counts;
   while (recv(worker_socket, &go, 1, 0) == 1) {
-    Result result;
-    std::string exception;
-    bool threw = true;
-    const auto begin = std::chrono::steady_clock::now();
-    try {
-      result = solve();
-      threw = false;
-    } catch (const std::exception& error) {
-      exception = error.what();
-    } catch (...) {
-      exception = "not a std::exception";
-    }
-    const nanoseconds time = std::chrono::steady_clock::now() - begin;
-    std::fflush(nullptr);
-    const std::string bytes = threw ? exception : encode(result);
-    const Header header{bytes.size(), time.count(), threw};
+    std::optional<Reply> untimed;
+    if (last < cold_start_counts) untimed = reply_of(solve);
+    Reply reply = reply_of(solve);
+    last = reply.time;
+    // The parent compares each answer with the first: of two here it gets the one that may differ.
+    if (untimed && untimed->bytes != reply.bytes) reply = *untimed;
+    const Header header{reply.bytes.size(), reply.time.count(), reply.threw};
     send_all(&header, sizeof header);
-    send_all(bytes.data(), bytes.size());
+    send_all(reply.bytes.data(), reply.bytes.size());
   }
   _exit(EXIT_SUCCESS);  // Neither destructors nor buffers of the parent's are this process's.
 }

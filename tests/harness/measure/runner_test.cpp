@@ -179,7 +179,8 @@ TEST(Run, GivesEverySolverOneTurnBeforeAnyHasTheNext) {
     return "scribe:label=" + label + ",file=" + file;
   };
   records_of(plan_of({scribe("a"), "liar", scribe("b"), scribe("c")}));
-  EXPECT_EQ(read_text(file), "abcabcabcabc") << "a warm-up and three samples each";
+  EXPECT_EQ(read_text(file), "abcaabbccaabbccaabbcc")
+      << "a warm-up, then three samples, each right after one that is not timed";
 }
 
 TEST(Run, LeavesOutInstancesWithTooManyContacts) {

@@ -5,11 +5,13 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <chrono>
 #include <cmath>
 #include <csignal>
 #include <cstdio>
 #include <limits>
 #include <stdexcept>
+#include <thread>
 
 #include "harness/measure/wire.h"
 
@@ -82,6 +84,17 @@ TEST(Wire, RefusesBytesThatAreNoResult) {
 }
 
 TEST(Worker, AnswersAsOftenAsItIsAsked) {
+  Worker worker([] { return full_result(); }, generous);
+  for (int call = 1; call <= 3; ++call) {
+    worker.ask();
+    const Outcome outcome = await(worker);
+    EXPECT_EQ(outcome.how, How::answered);
+    EXPECT_EQ(outcome.result.work.pivots, full_result().work.pivots);
+    EXPECT_GE(outcome.time_ns, 0);
+  }
+}
+
+TEST(Worker, TimesAShortSolveRightAfterAnotherWhoseOtherAnswerIsTheOneItGives) {
   Worker worker(
       [calls = 0]() mutable {
         Result result = full_result();
@@ -89,12 +102,24 @@ TEST(Worker, AnswersAsOftenAsItIsAsked) {
         return result;
       },
       generous);
-  for (Index call = 1; call <= 3; ++call) {
+  for (const Index answer : {1, 2, 4}) {
     worker.ask();
-    const Outcome outcome = await(worker);
-    EXPECT_EQ(outcome.how, How::answered);
-    EXPECT_EQ(outcome.result.work.pivots, call);
-    EXPECT_GE(outcome.time_ns, 0);
+    EXPECT_EQ(await(worker).result.work.pivots, answer);
+  }
+}
+
+TEST(Worker, SolvesOnceWhereThatTakesLong) {
+  Worker worker(
+      [calls = 0]() mutable {
+        std::this_thread::sleep_for(std::chrono::milliseconds(3));
+        Result result = full_result();
+        result.work.pivots = ++calls;
+        return result;
+      },
+      generous);
+  for (const Index answer : {1, 2, 3}) {
+    worker.ask();
+    EXPECT_EQ(await(worker).result.work.pivots, answer);
   }
 }
 
