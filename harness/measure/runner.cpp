@@ -8,6 +8,7 @@
 
 #include "harness/measure/worker.h"
 #include "harness/observed_quantile.h"
+#include "solvers/peers/outside_call.h"
 
 namespace lcp {
 
@@ -135,7 +136,8 @@ class Pair {
               return solve_islands(*entrant.solver->solver, islands, instance.problem.size(), {},
                                    entrant.start, instance.previous);
             },
-            Limits{plan.timeout, plan.memory_bytes})) {}
+            Limits{plan.timeout, plan.memory_bytes},
+            entrant.solver->info.peer() ? std::function<void()>(silence_outside_calls) : [] {})) {}
 
   bool done() const { return !worker_; }
   const Record& record() const { return record_; }

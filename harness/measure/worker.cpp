@@ -130,7 +130,9 @@ Reply reply_of(const std::function<Result()>& solve) {
 
 }  // namespace
 
-Worker::Worker(const std::function<Result()>& solve, const Limits& limits) : limits_(limits) {
+Worker::Worker(const std::function<Result()>& solve, const Limits& limits,
+               const std::function<void()>& prepare)
+    : limits_(limits) {
   int sockets[2], pipes[2];
   if (socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, sockets) != 0) throw_errno("socketpair");
   socket_ = FileDescriptor(sockets[0]);
@@ -146,6 +148,7 @@ Worker::Worker(const std::function<Result()>& solve, const Limits& limits) : lim
   if (pid_ < 0) throw_errno("fork");
   if (pid_ == 0) {
     isolate(parent, child_socket.get(), child_output.get());
+    prepare();
     serve(solve);
   }
   setpgid(pid_, pid_);  // Here too: whichever process comes first.

@@ -43,8 +43,10 @@ struct Outcome {
 /// with what it started, and reaped when this object goes, and dies with its parent.
 class Worker {
  public:
-  /// Forks; throws std::system_error when the system refuses.
-  explicit Worker(const std::function<Result()>& solve, const Limits& limits);
+  /// Forks, and has the child call `prepare` once, outside the clock; throws std::system_error when the
+  /// system refuses.
+  Worker(const std::function<Result()>& solve, const Limits& limits,
+         const std::function<void()>& prepare = [] {});
   ~Worker();
   Worker(const Worker&) = delete;
   Worker& operator=(const Worker&) = delete;

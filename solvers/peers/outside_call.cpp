@@ -20,6 +20,7 @@ namespace {
 struct UnderWay {
   const char* row = nullptr;  ///< Of the call under way.
   int out = -1, err = -1;     ///< Where its descriptors 1 and 2 really lead.
+  bool for_good = false;      ///< Descriptors 1 and 2 lead to /dev/null until the process ends.
 };
 UnderWay under_way;
 
@@ -78,7 +79,9 @@ Option scale_option(PeerOptions& options) {
   return flag("scale", options.scale, "the library sees the problem divided by s_z and s_w");
 }
 
-OutsideCall::OutsideCall(const char* row) {
+namespace {
+
+void silence() {
   [[maybe_unused]] static const bool listening = (listen_for_the_end(), true);
   std::fflush(stdout);  // What is ours must not go the library's way.
   std::fflush(stderr);
@@ -90,13 +93,25 @@ OutsideCall::OutsideCall(const char* row) {
   dup2(nowhere, STDERR_FILENO);
   if (nowhere > STDERR_FILENO) close(nowhere);
   report_to(under_way.err);
+}
+
+}  // namespace
+
+void silence_outside_calls() {
+  silence();
+  under_way.for_good = true;
+}
+
+OutsideCall::OutsideCall(const char* row) {
+  if (!under_way.for_good) silence();
   under_way.row = row;
 }
 
 OutsideCall::~OutsideCall() {
+  under_way.row = nullptr;
+  if (under_way.for_good) return;
   std::fflush(stdout);
   std::fflush(stderr);
-  under_way.row = nullptr;
   restore(under_way.out, STDOUT_FILENO);
   restore(under_way.err, STDERR_FILENO);
   report_to(STDERR_FILENO);

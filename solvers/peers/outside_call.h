@@ -17,8 +17,8 @@ Option scale_option(PeerOptions& options);
 
 /// While it lives, a call into an outside library is under way: what the library prints on file
 /// descriptors 1 and 2 goes to /dev/null, and if it ends the process, by a signal or by exit(), one
-/// line on the real stderr says which row did it. Costs some ten system calls, a few microseconds,
-/// and stands inside the clock. Not for use from several threads at once.
+/// line on the real stderr says which row did it. Costs some ten system calls, several microseconds,
+/// unless silence_outside_calls() was called before. Not for use from several threads at once.
 class OutsideCall {
  public:
   /// `row` must outlive the call.
@@ -27,6 +27,10 @@ class OutsideCall {
   OutsideCall(const OutsideCall&) = delete;
   OutsideCall& operator=(const OutsideCall&) = delete;
 };
+
+/// Silences outside calls for the rest of the process, which prints nothing of its own any more: for
+/// one that times them.
+void silence_outside_calls();
 
 /// Why a problem cannot be handed to a peer, or nothing.
 using Obstacle = std::string;

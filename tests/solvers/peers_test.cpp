@@ -295,6 +295,20 @@ TEST(OutsideCalls, ThatExitLeaveALineOnTheRealStderr) {
       testing::ExitedWithCode(3), "some-row: the outside library ended the process with exit");
 }
 
+TEST(OutsideCalls, SilencedForGoodPrintNothingAndStillLeaveThatLine) {
+  EXPECT_DEATH(
+      {
+        silence_outside_calls();
+        for (int call = 0; call < 2; ++call) {
+          const OutsideCall under_way("some-row");
+          std::fprintf(stderr, "chatter\n");
+          std::fflush(stderr);
+          if (call == 1) std::abort();
+        }
+      },
+      "^some-row: the outside library aborted the process\n$");
+}
+
 TEST(OutsideCalls, LeaveOtherEndsOfTheProcessAlone) {
   EXPECT_EXIT(
       {
