@@ -262,27 +262,6 @@ bool Basis::refine() {
   return true;
 }
 
-double Basis::error() const {
-  if (pivots_ == 0) return kernel_error_;
-  VectorXd sum = VectorXd::Zero(problem_.size());
-  std::vector<Index> columns;
-  std::vector<double> coefficients;
-  VectorXd rest = problem_.q();
-  for (Index row = 0; row < problem_.size(); ++row) {
-    const Variable v = labels_.basic(row);
-    if (labels_.is_w(v)) {
-      rest(v) -= q_(row);
-    } else if (v == labels_.z0()) {
-      rest += q_(row) * covering();
-    } else {
-      columns.push_back(labels_.index(v));
-      coefficients.push_back(q_(row) * problem_.column_scale(labels_.index(v)));
-    }
-  }
-  add_columns(problem_.stored(), columns, coefficients.data(), sum);
-  return (sum.cwiseProduct(problem_.row_scales()) + rest).lpNorm<Eigen::Infinity>();
-}
-
 bool Basis::error_within(double e_max) {
   if (pivots_ > 0 && kTrust * (kernel_error_ + drift_) <= e_max) return true;
   if (pivots_ > 0) factorise(0);

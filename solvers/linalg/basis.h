@@ -32,12 +32,10 @@ class Basis {
   void entries(Variable v, const std::vector<Index>& rows, VectorXd& out);
   Variable pivot(const Pivot& pivot, const VectorXd& column);
   void rebuild(const std::vector<Pivot>& path);
-  /// |w - M z - q - z0 c|_inf of the basic solution: only the rows R can be off, since the other w
-  /// are computed from z. After a fresh factorisation it is known without further work.
-  double error() const;
-  /// Whether error() <= e_max. Between factorisations a running estimate answers (see drift_) unless it
-  /// comes within a factor of 1000 of e_max: then the basis is factorised afresh, and nothing that was
-  /// added up since is left.
+  /// Whether |w - M z - q - z0 c|_inf of the basic solution is at most e_max. Only the rows R can be
+  /// off, since the other w are computed from z: after a factorisation it is known. Later a running
+  /// estimate answers (see drift_), unless it comes within a factor of 1000 of e_max: then the basis is
+  /// factorised afresh, and nothing that was added up since is left.
   bool error_within(double e_max);
   const VectorXd& covering() const;
   /// Factorises this basis afresh, unless that was done last, and improves the basic z by one step of
