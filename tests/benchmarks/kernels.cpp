@@ -10,6 +10,7 @@
 #include "problems/contact/friction_lcp.h"
 #include "problems/registry.h"
 #include "solvers/linalg/basis.h"
+#include "solvers/linalg/pivot_candidates.h"
 #include "solvers/linalg/ratio_test.h"
 #include "solvers/linalg/tableau.h"
 #include "solvers/registry.h"
@@ -85,6 +86,33 @@ void lexicographic_test(benchmark::State& state) {
                                                       {.pivot = 1e-12, .delta = 1e-8, .z0 = 1e-8}));
 }
 
+/// A column of the dictionary: a solve with the factors, and a product with the columns of the basis.
+void basis_column(benchmark::State& state) {
+  Middle middle(frame(state.range(0)).problem);
+  const Labels& labels = middle.basis.labels();
+  Variable nonbasic = labels.w(0);
+  while (labels.is_basic(nonbasic)) ++nonbasic;
+  VectorXd column;
+  for (auto _ : state) {
+    middle.basis.column(nonbasic, column);
+    benchmark::DoNotOptimize(column.data());
+  }
+}
+
+/// The search's ratio test, with prices.
+void pivot_candidates(benchmark::State& state) {
+  const Middle middle(frame(state.range(0)).problem);
+  const auto blocks = [](double m) { return m < -1e-12; };
+  VectorXd ratios;
+  std::vector<PivotCandidate> candidates;
+  for (auto _ : state) {
+    find_candidates(middle.basis.q(), middle.column, blocks, {.epsilon = 1e-9, .grid = 1e-11},
+                    ratios, candidates);
+    benchmark::DoNotOptimize(candidates.data());
+  }
+  state.counters["found"] = static_cast<double>(candidates.size());
+}
+
 void judging(benchmark::State& state) {
   const Instance& instance = frame(state.range(0));
   const Result result = make_solver("best-first").solver->solve(instance.problem);
@@ -132,6 +160,8 @@ BENCHMARK(one_pivot<Tableau>)->Apply(sizes);
 BENCHMARK(one_pivot<Basis>)->Apply(sizes);
 BENCHMARK(first_index_test)->Apply(sizes);
 BENCHMARK(lexicographic_test)->Apply(sizes);
+BENCHMARK(basis_column)->Apply(sizes);
+BENCHMARK(pivot_candidates)->Apply(sizes);
 BENCHMARK(judging)->Apply(sizes);
 BENCHMARK(assembly)->Apply(sizes);
 BENCHMARK_CAPTURE(whole_solve, best_first, "best-first")->Apply(sizes);
