@@ -49,7 +49,7 @@ void refuse_absent(const std::string& pattern) {
     throw std::invalid_argument(
         fmt::format("solver '{}' is not built in: it needs {}, Debian package {}; install it, then "
                     "configure and build again",
-                    pattern, peer.library, peer.package));
+                    pattern, peer.outside_library, peer.package));
   }
 }
 

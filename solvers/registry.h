@@ -29,13 +29,13 @@ struct RowInfo {
     pivoting,   ///< Finite: walks from basis to basis; a result is exact up to rounding.
     iterative,  ///< Approaches a solution to its own tolerance.
   } kind = Kind::pivoting;
-  std::string version = "1";       ///< Raised when the row's results change.
-  std::string supports = "any M";  ///< To other problems it answers `unsupported`.
-  std::string library = {};        ///< "Siconos 4.4.0": of a peer, an outside library's method.
-  std::string library_constants =
+  std::string version = "1";         ///< Raised when the row's results change.
+  std::string supports = "any M";    ///< To other problems it answers `unsupported`.
+  std::string outside_library = {};  ///< "Siconos 4.4.0": of a peer, an outside library's method.
+  std::string outside_constants =
       {};  ///< Of a peer: its own tolerances, and who sets them to what.
 
-  bool peer() const { return !library.empty(); }
+  bool peer() const { return !outside_library.empty(); }
 };
 
 /// One row of the registry: a method with the defaults that make it this variant.
@@ -50,8 +50,8 @@ const std::vector<Row>& registry();
 /// A peer that this build lacks, because its library was not there.
 struct AbsentPeer {
   std::string name;
-  std::string library;  ///< "Siconos"
-  std::string package;  ///< The Debian package that brings it.
+  std::string outside_library;  ///< "Siconos"
+  std::string package;          ///< The Debian package that brings it.
 };
 
 /// The peers this build lacks, sorted by name.

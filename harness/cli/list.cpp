@@ -49,29 +49,30 @@ void list_solvers(bool json) {
                      {"kind", pivoting ? "pivoting" : "iterative"},
                      {"version", row.info.version},
                      {"supports", row.info.supports},
-                     {"library", row.info.library},
-                     {"library_constants", row.info.library_constants},
+                     {"library", row.info.outside_library},
+                     {"library_constants", row.info.outside_constants},
                      {"options", to_json(solver->options())}});
       continue;
     }
     fmt::print("{}\n    {}\n    Source: {}\n    Supports: {}\n", row.info.name, row.info.summary,
                row.info.source, row.info.supports);
     if (row.info.peer())
-      fmt::print("    Peer: {}\n    Its own tolerances: {}\n", row.info.library,
-                 row.info.library_constants);
+      fmt::print("    Peer: {}\n    Its own tolerances: {}\n", row.info.outside_library,
+                 row.info.outside_constants);
     print(solver->options());
     fmt::print("\n");
   }
   if (json) {
     Json absent = Json::array();
     for (const AbsentPeer& peer : absent_peers())
-      absent.push_back({{"name", peer.name}, {"library", peer.library}, {"package", peer.package}});
+      absent.push_back(
+          {{"name", peer.name}, {"library", peer.outside_library}, {"package", peer.package}});
     fmt::print("{}\n", Json{{"solvers", all}, {"absent", absent}}.dump(1));
     return;
   }
   for (const AbsentPeer& peer : absent_peers())
-    fmt::print("{}\n    Peer, not built in: {}, Debian package {}\n\n", peer.name, peer.library,
-               peer.package);
+    fmt::print("{}\n    Peer, not built in: {}, Debian package {}\n\n", peer.name,
+               peer.outside_library, peer.package);
 }
 
 void list_families(bool json) {

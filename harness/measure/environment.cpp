@@ -56,7 +56,7 @@ json libraries() {
 json peers() {
   std::set<std::string> libraries;
   for (const Row& row : registry())
-    if (row.info.peer()) libraries.insert(row.info.library);
+    if (row.info.peer()) libraries.insert(row.info.outside_library);
   return libraries;
 }
 

@@ -81,18 +81,18 @@ Result dantzig(const Problem& problem, const DantzigOptions& options, const Call
   const ScaledProblem scaled(problem, options.scale);
   const Obstacle obstacle = unsymmetric(scaled.M(), options.symmetry);
   if (!obstacle.empty()) return refuse(problem, obstacle);
-  MatrixXd rows = scaled.M().transpose();  // Row by row.
-  VectorXd z = VectorXd::Zero(n), w = VectorXd::Zero(n), b = -scaled.q();
-  VectorXd low = VectorXd::Zero(n), high = VectorXd::Constant(n, BT_INFINITY);
+  BoxedForm boxed(scaled, n);
   bool success = false;
   {
     const OutsideCall under_way("bullet-dantzig");
     btDantzigScratchMemory scratch;
-    success = btSolveDantzigLCP(static_cast<int>(n), rows.data(), z.data(), b.data(), w.data(), 0,
-                                low.data(), high.data(), nullptr, scratch);
+    success =
+        btSolveDantzigLCP(static_cast<int>(n), boxed.A.data(), boxed.x.data(), boxed.b.data(),
+                          boxed.w.data(), 0, boxed.low.data(), boxed.high.data(), nullptr, scratch);
   }
   return outside_result(scaled, success ? Claim::solved : Claim::singular,
-                        success ? "" : "false: a pivot failed", std::move(z), std::move(w), {});
+                        success ? "" : "false: a pivot failed", std::move(boxed.x),
+                        std::move(boxed.w), {});
 }
 
 const Registration bullet_lemke{
@@ -100,8 +100,8 @@ const Registration bullet_lemke{
      .summary = "Lemke with lexicographic comparison of whole rows, on a tableau",
      .source = "Bullet, btLemkeAlgorithm; Lloyd 2005",
      .supports = "any M; O(n^3) a pivot",
-     .library = library,
-     .library_constants = "none can be set; machine epsilon and 1e30 in its body, no ray test"},
+     .outside_library = library,
+     .outside_constants = "none can be set; machine epsilon and 1e30 in its body, no ray test"},
     PeerOptions{},
     lemke_table,
     lemke};
@@ -111,8 +111,8 @@ const Registration bullet_dantzig{
      .summary = "Dantzig's principal pivoting, row after row, on an updated LDL'",
      .source = "Bullet, btSolveDantzigLCP, from ODE; Baraff 1994",
      .supports = "a symmetric M",
-     .library = library,
-     .library_constants = "none can be set"},
+     .outside_library = library,
+     .outside_constants = "none can be set"},
     DantzigOptions{},
     dantzig_table,
     dantzig};

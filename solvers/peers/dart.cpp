@@ -151,12 +151,7 @@ Result gauss_seidel(const Problem& problem, const GaussSeidelOptions& options, c
   Obstacle obstacle = unsymmetric(scaled.M(), options.symmetry);
   if (obstacle.empty()) obstacle = no_positive_diagonal(scaled.M());
   if (!obstacle.empty()) return refuse(problem, obstacle);
-  const Index padded = n > 1 ? (n + 3) / 4 * 4 : n;
-  MatrixXd rows = MatrixXd::Zero(padded, n);  // Column i is row i, padded.
-  rows.topRows(n) = scaled.M().transpose();
-  VectorXd z = VectorXd::Zero(n), b = -scaled.q(), low = VectorXd::Zero(n);
-  VectorXd high = VectorXd::Constant(n, std::numeric_limits<double>::infinity());
-  std::vector<int> no_friction(n, -1);
+  BoxedForm boxed(scaled, n > 1 ? (n + 3) / 4 * 4 : n);
   OutsideGaussSeidel solver{.max_iterations = static_cast<int>(options.max_sweeps),
                             .absolute_step = options.tolerance,
                             .relative_step = options.tolerance,
@@ -171,13 +166,14 @@ Result gauss_seidel(const Problem& problem, const GaussSeidelOptions& options, c
   bool success = false;
   {
     const OutsideCall under_way("dart-pgs");
-    success = gauss_seidel_function()(&solver, static_cast<int>(n), rows.data(), z.data(), b.data(),
-                                      0, low.data(), high.data(), no_friction.data(), false);
+    success = gauss_seidel_function()(&solver, static_cast<int>(n), boxed.A.data(), boxed.x.data(),
+                                      boxed.b.data(), 0, boxed.low.data(), boxed.high.data(),
+                                      boxed.friction.data(), false);
   }
   for (double* data :
        {solver.normalised_A.data, solver.normalised_B.data, solver.z.data, solver.old_x.data})
     std::free(data);
-  return outside_result(scaled, success ? Claim::solved : Claim::limit, "", std::move(z),
+  return outside_result(scaled, success ? Claim::solved : Claim::limit, "", std::move(boxed.x),
                         VectorXd(), {});
 }
 
@@ -186,8 +182,8 @@ const Registration dart_lemke{
      .summary = "Lemke with a pivot tolerance, the basis factorised by QR at each pivot",
      .source = "DART, dart::lcpsolver::Lemke; Fackler and Miranda",
      .supports = "any M; n^3 a pivot, 1000 pivots",
-     .library = "DART " LCPBENCH_DART_VERSION,
-     .library_constants =
+     .outside_library = "DART " LCPBENCH_DART_VERSION,
+     .outside_constants =
          "none can be set; in its body pivot 1e-8, ties 1e-5, 1000 pivots, its check "
          "1e-4, all absolute"},
     PeerOptions{},
@@ -200,8 +196,8 @@ const Registration dart_pgs{
      .source = "DART, PgsBoxedLcpSolver",
      .kind = RowInfo::Kind::iterative,
      .supports = "a symmetric M with a positive diagonal",
-     .library = "DART " LCPBENCH_DART_VERSION,
-     .library_constants =
+     .outside_library = "DART " LCPBENCH_DART_VERSION,
+     .outside_constants =
          "mDeltaXThreshold and mRelativeDeltaXTolerance = tolerance, mMaxIteration = "
          "max_sweeps, mEpsilonForDivision 1e-9 as it is"},
     GaussSeidelOptions{},

@@ -10,9 +10,6 @@
 //           tolerance.
 
 #include <dart/external/odelcpsolver/lcp.h>
-#include <fmt/format.h>
-
-#include <vector>
 
 #include "solvers/peers/outside_call.h"
 
@@ -45,21 +42,18 @@ Result solve(const Problem& problem, const DantzigOptions& options, const Call& 
   const Obstacle obstacle = unsymmetric(scaled.M(), options.symmetry);
   if (!obstacle.empty()) return refuse(problem, obstacle);
   const int size = static_cast<int>(n);
-  MatrixXd rows = MatrixXd::Zero(dPAD(size), n);  // Column i is row i, padded.
-  rows.topRows(n) = scaled.M().transpose();
-  rows.diagonal().array() += options.cfm * scaled.M().diagonal().maxCoeff();
-  VectorXd z = VectorXd::Zero(n), w = VectorXd::Zero(n), b = -scaled.q();
-  VectorXd low = VectorXd::Zero(n), high = VectorXd::Constant(n, dInfinity);
-  std::vector<int> no_friction(n, -1);
+  BoxedForm boxed(scaled, dPAD(size));
+  boxed.A.diagonal().array() += options.cfm * scaled.M().diagonal().maxCoeff();
   bool success = false;
   {
     const OutsideCall under_way("dart-dantzig");
-    success =
-        dart::external::ode::dSolveLCP(size, rows.data(), z.data(), b.data(), w.data(), 0,
-                                       low.data(), high.data(), no_friction.data(), options.early);
+    success = dart::external::ode::dSolveLCP(size, boxed.A.data(), boxed.x.data(), boxed.b.data(),
+                                             boxed.w.data(), 0, boxed.low.data(), boxed.high.data(),
+                                             boxed.friction.data(), options.early);
   }
   return outside_result(scaled, success ? Claim::solved : Claim::singular,
-                        success ? "" : "false: a pivot failed", std::move(z), std::move(w), {});
+                        success ? "" : "false: a pivot failed", std::move(boxed.x),
+                        std::move(boxed.w), {});
 }
 
 const Registration dart_dantzig{
@@ -67,8 +61,8 @@ const Registration dart_dantzig{
      .summary = "Dantzig's principal pivoting, row after row, on an updated LDL'",
      .source = "DART, dSolveLCP, from ODE; Baraff 1994",
      .supports = "a symmetric M; made for positive definite ones, see cfm",
-     .library = "DART " LCPBENCH_DART_KERNEL_VERSION,
-     .library_constants = "none but early termination; cfm is what engines add themselves"},
+     .outside_library = "DART " LCPBENCH_DART_KERNEL_VERSION,
+     .outside_constants = "none but early termination; cfm is what engines add themselves"},
     DantzigOptions{},
     option_table,
     solve};

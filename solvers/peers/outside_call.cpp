@@ -8,6 +8,7 @@
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
+#include <limits>
 
 #ifdef __SANITIZE_ADDRESS__
 #include <sanitizer/common_interface_defs.h>
@@ -115,6 +116,17 @@ OutsideCall::~OutsideCall() {
   restore(under_way.out, STDOUT_FILENO);
   restore(under_way.err, STDERR_FILENO);
   report_to(STDERR_FILENO);
+}
+
+BoxedForm::BoxedForm(const ScaledProblem& scaled, Index padded)
+    : A(MatrixXd::Zero(padded, scaled.size())),
+      x(VectorXd::Zero(scaled.size())),
+      w(x),
+      b(-scaled.q()),
+      low(x),
+      high(VectorXd::Constant(scaled.size(), std::numeric_limits<double>::infinity())),
+      friction(scaled.size(), -1) {
+  A.topRows(scaled.size()) = scaled.M().transpose();
 }
 
 Obstacle unsymmetric(const MatrixXd& M, double symmetry) {

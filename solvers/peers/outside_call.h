@@ -1,6 +1,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "solvers/linalg/scaled_problem.h"
 #include "solvers/registry.h"
@@ -31,6 +32,16 @@ class OutsideCall {
 /// Silences outside calls for the rest of the process, which prints nothing of its own any more: for
 /// one that times them.
 void silence_outside_calls();
+
+/// The LCP as ODE's kernel and its kin take it: A x = b + w with 0 <= x, no friction indices. They
+/// destroy A and b.
+struct BoxedForm {
+  MatrixXd A;  ///< `padded` x n: column i is row i of M, then zeros.
+  VectorXd x, w, b, low, high;
+  std::vector<int> friction;  ///< -1: a row whose bounds depend on no other.
+
+  BoxedForm(const ScaledProblem& scaled, Index padded);
+};
 
 /// Why a problem cannot be handed to a peer, or nothing.
 using Obstacle = std::string;

@@ -194,8 +194,8 @@ RowInfo about(const char* name, const char* summary, const char* source, RowInfo
           .source = source,
           .kind = kind,
           .supports = supports,
-          .library = "Siconos " LCPBENCH_SICONOS_VERSION,
-          .library_constants = constants};
+          .outside_library = "Siconos " LCPBENCH_SICONOS_VERSION,
+          .outside_constants = constants};
 }
 
 auto runs(const Method& method) {

@@ -76,9 +76,9 @@ class EveryPeer : public testing::TestWithParam<std::string> {
 TEST_P(EveryPeer, SaysWhatItIs) {
   const RowInfo& info = find_row(GetParam()).info;
   EXPECT_TRUE(info.peer());
-  EXPECT_NE(info.library.find_first_of("0123456789"), std::string::npos) << info.library;
+  EXPECT_NE(info.outside_library.find_first_of("0123456789"), std::string::npos) << info.outside_library;
   EXPECT_FALSE(info.supports.empty());
-  EXPECT_FALSE(info.library_constants.empty());
+  EXPECT_FALSE(info.outside_constants.empty());
 }
 
 TEST_P(EveryPeer, SolvesTwoRows) {

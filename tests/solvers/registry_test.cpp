@@ -110,7 +110,7 @@ TEST(Registry, SaysWhatAnAbsentPeerNeeds) {
 TEST(Registry, OwnStandsForEveryRowButThePeers) {
   const Index before = static_cast<Index>(make_solvers({"own"}).size());
   RowInfo info{.name = "zz-peer", .summary = "s", .source = "s"};
-  info.library = "Made Up 1";
+  info.outside_library = "Made Up 1";
   struct None {};
   static const Registration peer(
       info, None{}, [](None&) { return OptionTable{}; },
