@@ -50,8 +50,8 @@ struct Progress {
 };
 
 /// Runs every open pair, each in a worker process of its own, and hands over each finished record.
-/// Records of one instance arrive together, in the order of solvers and of starts within them; instances arrive in the order of the
-/// plan with jobs = 1, else in the order of completion. Judging, splitting into islands, checks and
+/// Records of one instance arrive together, in the order of solvers and of starts within them;
+/// instances arrive in the order of the plan with jobs = 1, else in the order of completion. Judging, splitting into islands, checks and
 /// I/O stay outside the clock; both steps of a two-step solve are inside. A row from a previous
 /// solution has hash_with_previous as its sha256, since its result depends on that too.
 ///
@@ -60,15 +60,15 @@ struct Progress {
 /// Where that is `solved`, it was the warm-up, and timed repetitions follow until the spread is small
 /// (3 at least) or there are max_samples, each of less than 2 ms right after another that is not
 /// timed, which brings the problem back into the caches; a first run longer than 1 s, or with
-/// max_samples = 1, is itself the only sample. A pair that fails has one sample, the time of the run that failed, and is not run
-/// again. Same input, same bits is part of what a solver promises: one whose later answer differs
+/// max_samples = 1, is itself the only sample. A pair that fails has one sample, the time of the run
+/// that failed, and is not run again. Same input, same bits is part of what a solver promises: one whose later answer differs
 /// from its first in any field is `wrong`, and the message says why.
 ///
 /// When `interrupted` becomes true the workers are killed and the function returns, after it has
 /// handed over the pairs that were finished; the others are given up. Exceptions of `finished` and
 /// `progress` (a full disk) kill the workers and pass through. Throws std::invalid_argument on a plan
-/// without a start, whose limits are not positive, whose shard does not exist or whose instances are malformed,
-/// std::system_error when the system refuses a worker.
+/// without a start, whose limits are not positive, whose shard does not exist or whose instances are
+/// malformed, std::system_error when the system refuses a worker.
 void run(const RunPlan& plan, const std::function<void(const Record&)>& finished,
          const std::function<void(const Progress&)>& progress,
          const std::atomic<bool>& interrupted);

@@ -76,9 +76,11 @@ class Basis {
   Index pivots_ = 0;
   bool usable_ = true;
   Index factorisations_ = 0;
+
+  // Room to work in.
   MatrixXd kernel_;
   mutable VectorXd permuted_;
-  VectorXd x_, y_, coefficients_;  ///< Room to work in.
+  VectorXd x_, y_, coefficients_;
 
   /// Factorises the kernel of labels_; not usable unless every pivot of its LU is larger than
   /// `pivot_tolerance`.

@@ -11,7 +11,8 @@
 namespace lcp {
 
 /// The answer that a dictionary stands for, in the problem's own units: the basic variables are q',
-/// the others 0. `covering` is empty where z0 is nonbasic. Numbers that are not finite give z = 0 and the claim `singular` instead.
+/// the others 0. `covering` is empty where z0 is nonbasic. Numbers that are not finite give z = 0 and
+/// the claim `singular` instead.
 Result basic_result(const ScaledProblem& problem, const Labels& labels, const VectorXd& q,
                     const VectorXd& covering, Claim claim, std::string message);
 

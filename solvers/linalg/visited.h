@@ -43,6 +43,7 @@ class Visited {
 
   /// Slot of the key, or the free one where it belongs.
   std::size_t slot_of(const BasisKey& key) const;
+  /// Doubles the table, with room for as many keys of `words` words each as it may hold.
   void grow(std::size_t words);
 };
 
