@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <csignal>
 #include <cstdio>
@@ -59,6 +60,16 @@ int act(const Verb& verb, const std::string& who) {
   }
 }
 
+std::string unknown_verb(const std::string& word, const std::vector<Verb>& known, int depth) {
+  const char* kind = depth == 1 ? "verb" : "part";
+  std::vector<std::string> names;
+  for (const Verb& each : known) names.push_back(each.page->get_name());
+  return fmt::format("{}, {}s are: {}",
+                     word.empty() ? fmt::format("a {} is missing", kind)
+                                  : fmt::format("unknown {} '{}'", kind, word),
+                     kind, fmt::join(names, ", "));
+}
+
 int run_program(int argc, char** argv) {
   CLI::App program{
       "A benchmark of pivoting solvers for linear complementarity problems, on "
@@ -70,27 +81,24 @@ int run_program(int argc, char** argv) {
   const std::vector<Verb> verbs = {
       add_list(program),        add_generate(program), add_simulate(program), add_solve(program),
       add_run(program),         add_table(program),    add_sweep(program),    add_merge(program),
-      add_compare(program),     add_paper(program),    add_info(program),     add_convert(program),
-      add_test_solver(program),
+      add_stability(program),   add_compare(program),  add_paper(program),    add_info(program),
+      add_convert(program),     add_test_solver(program),
   };
 
-  std::vector<std::string> names;
   const Verb* verb = nullptr;
-  const std::string first = argc > 1 ? argv[1] : "";
-  for (const Verb& each : verbs) {
-    names.push_back(each.page->get_name());
-    if (first == names.back()) verb = &each;
+  std::string who = "lcpbench";
+  int depth = 1;
+  for (const std::vector<Verb>* level = &verbs; !level->empty(); level = &verb->parts, ++depth) {
+    const std::string word = depth < argc ? argv[depth] : "";
+    if (!word.empty() && word.front() == '-') break;
+    const auto named = std::find_if(level->begin(), level->end(), [&](const Verb& each) {
+      return each.page->get_name() == word;
+    });
+    if (named == level->end()) return complain(who, unknown_verb(word, *level, depth), usage);
+    verb = &*named;
+    who += " " + word;
   }
-  const bool is_option = !first.empty() && first.front() == '-';
-  if (!verb && !is_option)
-    return complain(
-        "lcpbench",
-        fmt::format("{}, verbs are: {}",
-                    first.empty() ? "a verb is missing" : fmt::format("unknown verb '{}'", first),
-                    fmt::join(names, ", ")),
-        usage);
 
-  const std::string who = verb ? "lcpbench " + verb->page->get_name() : "lcpbench";
   try {
     program.parse(argc, argv);
   } catch (const CLI::ExtrasError& error) {

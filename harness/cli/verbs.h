@@ -2,6 +2,7 @@
 
 #include <CLI/CLI.hpp>
 #include <functional>
+#include <vector>
 
 namespace lcp::cli {
 
@@ -18,10 +19,12 @@ enum ExitStatus {
 
 /// A verb of the command line: its page of help and options, and what it does. The action returns an
 /// ExitStatus; it prints results on stdout, progress and notes on stderr, and throws
-/// std::invalid_argument (usage), UnreadableInput or UnwritableOutput.
+/// std::invalid_argument (usage), UnreadableInput or UnwritableOutput. A verb of several parts
+/// (`stability perturb`) has these in place of an action.
 struct Verb {
   CLI::App* page;
   std::function<int()> act;
+  std::vector<Verb> parts = {};
 };
 
 Verb add_compare(CLI::App& program);
@@ -34,6 +37,7 @@ Verb add_paper(CLI::App& program);
 Verb add_run(CLI::App& program);
 Verb add_simulate(CLI::App& program);
 Verb add_solve(CLI::App& program);
+Verb add_stability(CLI::App& program);
 Verb add_sweep(CLI::App& program);
 Verb add_table(CLI::App& program);
 Verb add_test_solver(CLI::App& program);
