@@ -45,22 +45,22 @@ std::vector<std::string> own_solvers_and_peers() {
   return all;
 }
 
-/// {pivot tolerance off, on} x {tableau, factorised} x {no search, search}, everything else equal: the
-/// same scale, epsilon, e_max and delta, lexicographic order, nothing polished, each basis of the
-/// factorised rows factorised afresh.
-const std::vector<std::string>& eight_cells() {
-  static const std::vector<std::string> all = {
-      "lexicographic:delta=1e-9,scale=on,pivot=0",
-      "lexicographic:delta=1e-9,scale=on,pivot=1e-12",
-      "lexicographic-revised:delta=1e-9,refactor_every=1,pivot=0",
-      "lexicographic-revised:delta=1e-9,refactor_every=1,pivot=1e-12",
-      "best-first-tableau:order=lexicographic,epsilon=1e-9,e_max=1e-6,scale=on,pivot=0,"
-      "max_nodes=3000",
-      "best-first-tableau:order=lexicographic,epsilon=1e-9,e_max=1e-6,scale=on,pivot=1e-12,"
-      "max_nodes=3000",
-      "best-first-lexicographic:polish=off,refactor_every=1,pivot=0,max_nodes=3000",
-      "best-first-lexicographic:polish=off,refactor_every=1,pivot=1e-12,max_nodes=3000",
-  };
+/// {tableau, factorised} x {no search, search} x {lowest row, lexicographic order} x {pivot tolerance
+/// off, on}, everything else equal: the same scale, epsilon, e_max and delta, one attempt of the
+/// search, nothing polished, each basis of the factorised rows factorised afresh.
+std::vector<std::string> sixteen_cells() {
+  const std::string search =
+      "epsilon=1e-9,e_max=1e-6,scale=on,polish=off,patience=0,max_nodes=3000";
+  std::vector<std::string> all;
+  for (const std::string& rule :
+       {std::string("lemke:scale=on"), std::string("lexicographic:delta=1e-9,scale=on"),
+        "best-first-tableau:order=row," + search,
+        "best-first-tableau:order=lexicographic," + search,
+        std::string("lemke-revised:refactor_every=1"),
+        std::string("lexicographic-revised:delta=1e-9,refactor_every=1"),
+        "best-first:order=row,refactor_every=1," + search,
+        "best-first-lexicographic:refactor_every=1," + search})
+    for (const char* pivot : {"0", "1e-12"}) all.push_back(rule + ",pivot=" + pivot);
   return all;
 }
 
@@ -193,12 +193,12 @@ const std::vector<Suite>& suites() {
         {.family = "peg-in-hole", .every = 5},
         {.family = "stack", .every = 5}},
        own_solvers()},
-      {"eight-cells",
-       "pivot tolerance, arithmetic and search, each on and off",
+      {"sixteen-cells",
+       "pivot tolerance, arithmetic, tie order and search, each on and off",
        {{.family = "draped-chain"},
         {.family = "squat-like"},
         {.family = "squat-like:contacts=64", .count = 60}},
-       eight_cells(),
+       sixteen_cells(),
        64},
       {"full", "all of small, contact and scaling",
        joined({small_parts(), contact_parts(), scaling_parts()}), own_solvers(), largest_scaled},

@@ -11,8 +11,11 @@
 #include "harness/paper/choices.h"
 #include "harness/paper/reproduce.h"
 #include "harness/paper/scene_table.h"
+#include "harness/paper/written_forms.h"
 #include "harness/pictures/paper_figures.h"
 #include "harness/progress.h"
+#include "problems/io/replace_file.h"
+#include "problems/io/text/read_text.h"
 
 namespace lcp::cli {
 
@@ -20,7 +23,7 @@ namespace {
 
 struct PaperArguments {
   int table = 0, figure = 0;
-  bool choices = false;
+  bool choices = false, all = false;
   std::string format = "text";
   bool all_solvers = false;
   bool dry_run = false;
@@ -43,7 +46,8 @@ int say_interrupted(const std::filesystem::path& directory) {
   return interrupted_by_user;
 }
 
-/// Prints what `compute` made in `how`'s directory; it hands back nothing when interrupted.
+/// Prints what `compute` made in `how`'s directory and writes it beside that directory in each
+/// format; it hands back nothing when interrupted.
 template <class Compute>
 int print(Reproduction how, const PaperArguments& arguments, const Compute& compute) {
   const std::atomic<bool>& interrupted = catch_interruptions();
@@ -54,9 +58,13 @@ int print(Reproduction how, const PaperArguments& arguments, const Compute& comp
     made = compute(how, interrupted);
   }
   if (!made) return say_interrupted(how.directory);
-  fmt::print("{}", render(*made, table_formats().at(arguments.format)));
+  const auto rendered = [&](TableFormat format) { return render(*made, format); };
+  fmt::print("{}", rendered(table_formats().at(arguments.format)));
   std::fflush(stdout);
-  fmt::print(stderr, "all that it comes from is in {}\n", how.directory.string());
+  const std::string stem = how.directory.string() + (arguments.all_solvers ? "-all-solvers" : "");
+  write_each_format(stem, rendered);
+  fmt::print(stderr, "written as {}.txt, .csv, .json and .tex; all that it comes from is in {}\n",
+             stem, how.directory.string());
   return done;
 }
 
@@ -99,9 +107,23 @@ std::size_t steps_of(const NamedScene& scene) {
   return static_cast<std::size_t>(std::lround(scene.setup.duration / scene.setup.stepping.dt));
 }
 
-void print_summary(const LoopRun& run, const NamedScene& scene) {
-  fmt::print("{}",
-             render(summarise(run, scene.setup.system.model.mass(), scene.setup.system.gravity)));
+LoopSummary summary_of(const LoopRun& run, const NamedScene& scene) {
+  return summarise(run, scene.setup.system.model.mass(), scene.setup.system.gravity);
+}
+
+/// Prints what ran for a figure, or its data, and writes the forms of it that are no picture.
+int tell_of_figure(const PaperArguments& arguments, const std::vector<LoopSummary>& runs) {
+  const std::string stem = fmt::format("{}/fig{}", arguments.out, arguments.figure);
+  for (const auto& [ending, format] :
+       {std::pair(".json", TableFormat::json), {".tex", TableFormat::latex}})
+    replace_file(stem + ending, render_figure(arguments.figure, runs, format));
+  const TableFormat format = table_formats().at(arguments.format);
+  fmt::print("{}", format == TableFormat::csv
+                       ? read_text(stem + ".csv", "the figure's data", longest_file)
+                       : render_figure(arguments.figure, runs, format));
+  std::fflush(stdout);
+  fmt::print(stderr, "figure, script and data are {}.svg, .gp, .dat, .csv, .json and .tex\n", stem);
+  return done;
 }
 
 int draw_figure_4(const PaperArguments& arguments) {
@@ -118,11 +140,10 @@ int draw_figure_4(const PaperArguments& arguments) {
     runs = write_figure_4(arguments.out, filmed, make_solver("best-first"), {}, look, interrupted);
   }
   if (interrupted) return say_interrupted(arguments.out);
-  for (std::size_t i = 0; i < runs.size(); ++i) print_summary(runs[i], filmed[i].scene);
-  std::fflush(stdout);
-  fmt::print(stderr, "figure, script and data are {0}/fig4.svg, fig4.gp and fig4.dat\n",
-             arguments.out);
-  return done;
+  std::vector<LoopSummary> summaries;
+  for (std::size_t i = 0; i < runs.size(); ++i)
+    summaries.push_back(summary_of(runs[i], filmed[i].scene));
+  return tell_of_figure(arguments, summaries);
 }
 
 int draw_figure(const PaperArguments& arguments) {
@@ -141,19 +162,32 @@ int draw_figure(const PaperArguments& arguments) {
     run = draw(directory, scene, make_solver("best-first"), {}, look, interrupted);
   }
   if (interrupted) return say_interrupted(directory);
-  print_summary(run, scene);
-  std::fflush(stdout);
-  fmt::print(stderr,
-             "figure, script and data are {0}/fig{1}.svg, fig{1}.gp, fig{1}.dat and fig{1}.csv\n",
-             arguments.out, arguments.figure);
+  return tell_of_figure(arguments, {summary_of(run, scene)});
+}
+
+/// Every table and figure, and the choices; the first that fails or is interrupted ends it.
+int reproduce_all(PaperArguments arguments) {
+  for (arguments.table = 1; arguments.table <= 3; ++arguments.table)
+    if (const int status = print_table(arguments); status != done) return status;
+  if (arguments.dry_run) {
+    fmt::print("the choices, as far as {}/choices does not hold them\nfigures 2, 3 and 4\n",
+               arguments.out);
+    return done;
+  }
+  if (const int status = print_choices(arguments); status != done) return status;
+  for (arguments.figure = 2; arguments.figure <= 4; ++arguments.figure)
+    if (const int status = draw_figure(arguments); status != done) return status;
   return done;
 }
 
 int reproduce_paper(const PaperArguments& arguments) {
+  if (arguments.dry_run && arguments.table == 0 && !arguments.all)
+    throw std::invalid_argument("--dry-run: expected --table or --all with it");
+  if (arguments.all) return reproduce_all(arguments);
   if (arguments.choices) return print_choices(arguments);
   if (arguments.figure != 0) return draw_figure(arguments);
   if (arguments.table != 0) return print_table(arguments);
-  throw std::invalid_argument("expected one of --table, --figure, --choices");
+  throw std::invalid_argument("expected one of --table, --figure, --choices, --all");
 }
 
 }  // namespace
@@ -170,10 +204,15 @@ Verb add_paper(CLI::App& program) {
                                          "4: hoist, ring and net in time")
                             ->check(CLI::IsMember({2, 3, 4}))
                             ->excludes(table);
-  page->add_flag("--choices", arguments->choices,
-                 "What each choice that the paper leaves open does in the loop")
+  CLI::Option* choices =
+      page->add_flag("--choices", arguments->choices,
+                     "What each choice that the paper leaves open does in the loop")
+          ->excludes(table)
+          ->excludes(figure);
+  page->add_flag("--all", arguments->all, "Every table and figure, and the choices")
       ->excludes(table)
-      ->excludes(figure);
+      ->excludes(figure)
+      ->excludes(choices);
   page->add_option("--format", arguments->format, "How it is printed")
       ->check(CLI::IsMember(&table_formats()))
       ->capture_default_str();
@@ -192,8 +231,8 @@ Verb add_paper(CLI::App& program) {
           "has none, 1 for tables 2 and 3")
       ->check(CLI::Range(1, 1024));
   page->footer(
-      "One of --table, --figure, --choices. Computes what DIR/tableN does not hold yet: an "
-      "interrupted command goes on when repeated.\n"
+      "One of --table, --figure, --choices, --all. Computes what DIR/tableN does not hold yet: an "
+      "interrupted command goes on when repeated. Writes DIR/tableN.txt, .csv, .json and .tex.\n"
       "Success means the paper's criterion with e_max = 1e-3; beside it counts at residual 1e-6.\n"
       "Table 3 takes a few minutes; with --all-solvers, which adds how long each solver keeps the "
       "bodies together and how far from best-first's motion, hours.\n"

@@ -15,9 +15,9 @@ void add_line(std::vector<PaperLine>& lines, PaperLine line, const PaperTable& t
   if (!any) return;
   if (line.kind != PaperLine::Kind::published)
     for (std::size_t i = 0; i < line.cells.size(); ++i) {
-      const auto printed = table.published.value(quantity.key, table.plan.columns[i].name);
       PaperCell& cell = line.cells[i];
-      cell.far = cell.value && printed && far_from(*cell.value, *printed);
+      cell.far = cell.value &&
+                 table.published.departs(quantity.key, table.plan.columns[i].name, *cell.value);
     }
   lines.push_back(std::move(line));
 }
@@ -44,7 +44,11 @@ PaperLine corpus_line(const std::string& label, const std::vector<CorpusColumn>&
 
 std::vector<PaperLine> lines_of(const PaperTable& table, const PaperQuantity& quantity) {
   std::vector<PaperLine> lines;
-  PaperLine printed{PaperLine::Kind::published, "published", "", {}, {}};
+  PaperLine printed{PaperLine::Kind::published,
+                    table.published.at_most(quantity.key) ? "text: at most" : "published",
+                    "",
+                    {},
+                    {}};
   for (const PaperColumn& column : table.plan.columns)
     printed.cells.push_back({table.published.value(quantity.key, column.name)});
   add_line(lines, std::move(printed), table, quantity);

@@ -16,7 +16,7 @@ namespace {
 using nlohmann::json;
 
 PublishedRow parse_row(const json& object, std::size_t columns) {
-  PublishedRow row{object.at("row"), object.at("unit"), {}};
+  PublishedRow row{object.at("row"), object.at("unit"), {}, object.value("at_most", false)};
   for (const json& value : object.at("values"))
     row.values.push_back(value.is_null() ? std::optional<double>() : value.get<double>());
   if (row.values.size() != columns)
@@ -42,10 +42,27 @@ PublishedTable parse_table(const json& object) {
 std::optional<double> PublishedTable::value(const std::string& row,
                                             const std::string& column) const {
   const auto place = std::find(columns.begin(), columns.end(), column);
-  if (place == columns.end()) return std::nullopt;
-  for (const PublishedRow& each : rows)
-    if (each.row == row) return each.values[static_cast<std::size_t>(place - columns.begin())];
-  return std::nullopt;
+  const PublishedRow* found = find(row);
+  if (place == columns.end() || !found) return std::nullopt;
+  return found->values[static_cast<std::size_t>(place - columns.begin())];
+}
+
+bool PublishedTable::at_most(const std::string& row) const {
+  const PublishedRow* found = find(row);
+  return found && found->at_most;
+}
+
+bool PublishedTable::departs(const std::string& row, const std::string& column,
+                             double measured) const {
+  const std::optional<double> stated = value(row, column);
+  if (!stated) return false;
+  return at_most(row) ? !(measured <= *stated) : far_from(measured, *stated);
+}
+
+const PublishedRow* PublishedTable::find(const std::string& row) const {
+  const auto found = std::find_if(rows.begin(), rows.end(),
+                                  [&](const PublishedRow& each) { return each.row == row; });
+  return found == rows.end() ? nullptr : &*found;
 }
 
 const PublishedTable& Published::table(int number) const {

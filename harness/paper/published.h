@@ -10,6 +10,7 @@ namespace lcp {
 struct PublishedRow {
   std::string row, unit;
   std::vector<std::optional<double>> values;  ///< One per column; empty where nothing is stated.
+  bool at_most = false;  ///< Each value is an upper bound: of the text, which gives no table.
 };
 
 /// A table of the paper as printed.
@@ -22,6 +23,14 @@ struct PublishedTable {
 
   /// Empty where the paper states nothing, also for rows and columns that it does not have.
   std::optional<double> value(const std::string& row, const std::string& column) const;
+  /// Whether a row states upper bounds.
+  bool at_most(const std::string& row) const;
+  /// Whether a measured value is far_from the published one, or above one that is an upper bound;
+  /// false where the paper states nothing.
+  bool departs(const std::string& row, const std::string& column, double measured) const;
+
+ private:
+  const PublishedRow* find(const std::string& row) const;
 };
 
 /// paper/published.json.

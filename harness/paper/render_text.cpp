@@ -136,7 +136,7 @@ std::string legend(const PaperTable& table) {
   const int jobs = most_jobs(table);
   out += fmt::format("{} simulation{} ran at the same time{}.\n", jobs, jobs == 1 ? "" : "s",
                      jobs == 1 ? "" : ": times are disturbed");
-  out += "* differs from the published value by more than a factor of 2.\n";
+  out += "* differs from the published value by more than a factor of 2, or exceeds what the text allows.\n";
   return out + solvers_text(table);
 }
 

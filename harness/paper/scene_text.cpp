@@ -86,7 +86,7 @@ std::string legend(const SceneTable& table) {
     for (const LoopColumn& column : line.columns) jobs = std::max(jobs, column.jobs);
   out += fmt::format("{} simulation{} ran at the same time{}.\n", jobs, jobs == 1 ? "" : "s",
                      jobs == 1 ? "" : ": times are disturbed");
-  return out + "* differs from the published value by more than a factor of 2.\n";
+  return out + "* differs from the published value by more than a factor of 2, or exceeds what the text allows.\n";
 }
 
 std::string rows_text(const SceneTable& table, const std::vector<std::string>& keys) {

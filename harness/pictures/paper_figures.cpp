@@ -10,6 +10,7 @@
 #include "harness/pictures/force_figure.h"
 #include "harness/pictures/scene_panels.h"
 #include "problems/io/errors.h"
+#include "problems/io/replace_file.h"
 
 namespace lcp {
 
@@ -74,6 +75,19 @@ void draw_rows(const std::vector<ScenePanels>& rows, const std::string& title,
   draw_with_gnuplot(svg, page);
 }
 
+/// A line per moment and link.
+std::string moments_csv(const NamedScene& scene, const std::vector<Snapshot>& moments) {
+  const std::vector<Link>& links = scene.setup.system.model.links();
+  std::string csv;
+  for (const Snapshot& moment : moments)
+    for (std::size_t i = 0; i < moment.links.size(); ++i) {
+      const Vector3d& p = moment.links[i].p;
+      csv += fmt::format("{},{:.9g},{},{:.9g},{:.9g},{:.9g}\n", scene.spelling, moment.time,
+                         links[i].name, p.x(), p.y(), p.z());
+    }
+  return csv;
+}
+
 }  // namespace
 
 LoopRun write_figure_2(const std::filesystem::path& directory, const NamedScene& scene,
@@ -130,11 +144,13 @@ std::vector<LoopRun> write_figure_4(const std::filesystem::path& directory,
   make_directory(directory);
   std::vector<LoopRun> runs;
   std::vector<ScenePanels> rows;
+  std::string csv = "scene,time_s,link,x_m,y_m,z_m\n";
   for (std::size_t i = 0; i < filmed.size(); ++i) {
     const FilmedScene& film = filmed[i];
     runs.push_back(run_in_the_loop(film.scene, solver, acceptance, looking_too(snapshots[i], look),
                                    interrupted));
     if (interrupted && !runs.back().broken.empty()) return runs;
+    csv += moments_csv(film.scene, snapshots[i].taken());
     rows.emplace_back(film.scene, snapshots[i].taken(),
                       ScenePanels::Layout{.height = film.height,
                                           .most_width = kPanelWidth,
@@ -146,6 +162,7 @@ std::vector<LoopRun> write_figure_4(const std::filesystem::path& directory,
   }
   draw_rows(rows, fmt::format("Simulations with {} in the loop.", solver.spelling),
             directory / "fig4.svg");
+  replace_file(directory / "fig4.csv", csv);
   return runs;
 }
 

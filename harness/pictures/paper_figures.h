@@ -39,7 +39,8 @@ struct FilmedScene {
 std::vector<FilmedScene> figure_4_scenes();
 
 /// Fig. 4: simulates each scene with the solver in the loop until its last moment, and writes
-/// fig4.{svg,gp,dat} with a row of pictures per scene, without contacts.
+/// fig4.{csv,svg,gp,dat} with a row of pictures per scene, without contacts; the data (.csv) are the
+/// link frames' origins at those moments.
 ///
 /// Returns the runs, up to the interrupted one: then nothing is written. A scene that broke has the
 /// moments before. Throws std::invalid_argument when there is no scene or a moment is not within

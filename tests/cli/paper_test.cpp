@@ -25,7 +25,7 @@ class Paper : public testing::Test {
 TEST_F(Paper, WithoutATableOrFigureSaysWhatIsAllowed) {
   const Ran ran = run({});
   EXPECT_EQ(ran.status, 2);
-  EXPECT_EQ(ran.err, "lcpbench paper: expected one of --table, --figure, --choices\n");
+  EXPECT_EQ(ran.err, "lcpbench paper: expected one of --table, --figure, --choices, --all\n");
 }
 
 TEST_F(Paper, KnowsItsTablesAndFigures) {

@@ -68,6 +68,17 @@ TEST(Published, FarMeansMoreThanAFactorOfTwo) {
   EXPECT_TRUE(far_from(std::numeric_limits<double>::quiet_NaN(), 1));
 }
 
+TEST(Published, AnUpperBoundOfTheTextIsKeptByAllBelow) {
+  const PublishedTable& table = published().table(1);
+  EXPECT_TRUE(table.at_most("both_failures"));
+  EXPECT_FALSE(table.at_most("failure"));
+  EXPECT_FALSE(table.departs("both_failures", "lemke", 0));
+  EXPECT_FALSE(table.departs("both_failures", "lemke", 3));
+  EXPECT_TRUE(table.departs("both_failures", "lemke", 4));
+  EXPECT_TRUE(table.departs("failure", "lemke", 0));
+  EXPECT_FALSE(table.departs("failure", "no such column", 0));
+}
+
 TEST(PaperPlans, HaveThePublishedColumns) {
   for (const int number : {1, 2}) {
     const PaperPlan plan = paper_plan(number, false);

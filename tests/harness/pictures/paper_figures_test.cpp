@@ -107,6 +107,9 @@ TEST(PaperFigures, ARowOfMomentsPerScene) {
     EXPECT_NE(svg.find(words), std::string::npos) << words;
   for (const char* other : {"figures/fig4.gp", "figures/fig4.dat"})
     EXPECT_TRUE(std::filesystem::exists(directory.file(other))) << other;
+  const std::string csv = read_text(directory.file("figures/fig4.csv"));
+  const auto lines = std::count(csv.begin(), csv.end(), '\n');
+  EXPECT_EQ(lines, 1 + 4 * squat.setup.system.model.size()) << "a line per moment and link";
 }
 
 TEST(PaperFigures, RowsOfMomentsRefuseTimesBeyondTheSceneAndStopWhenInterrupted) {
