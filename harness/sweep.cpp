@@ -76,7 +76,9 @@ std::vector<std::string> options_to_climb(const NamedSolver& solver,
 SweepPlan plan_sweep(const std::vector<std::string>& solvers,
                      const std::vector<std::string>& options) {
   SweepPlan plan;
+  bool any = false;
   const auto climb = [&](const std::string& solver, const std::vector<std::string>& along) {
+    any = true;
     for (std::string& setting : sweep_settings(solver, along))
       plan.settings.push_back(std::move(setting));
   };
@@ -85,10 +87,8 @@ SweepPlan plan_sweep(const std::vector<std::string>& solvers,
       climb(text, options);
       continue;
     }
-    bool any = false;
     for (const NamedSolver& solver : make_solvers({text})) {
       const std::vector<std::string> along = options_to_climb(solver, options);
-      any |= !along.empty();
       if (!along.empty()) {
         climb(solver.spelling, along);
       } else {
@@ -96,12 +96,12 @@ SweepPlan plan_sweep(const std::vector<std::string>& solvers,
         plan.without_ladder.push_back(solver.spelling);
       }
     }
-    if (!any)
-      throw std::invalid_argument(
-          fmt::format("no solver of '{}' has {}: see lcpbench list solvers", text,
-                      options.empty() ? "an option that trades speed for accuracy"
-                                      : fmt::format("a ladder for {}", fmt::join(options, ", "))));
   }
+  if (!any)
+    throw std::invalid_argument(
+        fmt::format("no solver of {} has {}: see lcpbench list solvers", fmt::join(solvers, ", "),
+                    options.empty() ? "an option that trades speed for accuracy"
+                                    : fmt::format("a ladder for {}", fmt::join(options, ", "))));
   return plan;
 }
 

@@ -22,7 +22,7 @@ struct SweepPlan {
 
 /// The same for several solvers, among them `own`, `all` and patterns as make_solvers takes them. Of
 /// the rows that a pattern brings, each climbs those of `options` that it has a ladder for. Throws as
-/// sweep_settings and make_solvers do, and when no row of a pattern has a ladder.
+/// sweep_settings and make_solvers do, and when nothing has a ladder.
 SweepPlan plan_sweep(const std::vector<std::string>& solvers,
                      const std::vector<std::string>& options);
 

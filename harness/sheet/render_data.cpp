@@ -45,25 +45,25 @@ OrderedJson as_json(const std::vector<Curve>& curves) {
 /// The curves over costs and residuals are many: a corpus has them when it is chosen alone.
 OrderedJson as_json(const SheetRow& row, bool in_full) {
   const Mass& mass = row.mass;
-  OrderedJson json = {{"setting", row.setting},
-                      {"instances", mass.instances},
-                      {"solved", mass.solved},
-                      {"failed", mass.failed},
-                      {"trivial", mass.trivial},
-                      {"unsupported", mass.unsupported},
-                      {"not_run", mass.not_run},
-                      {"cost", as_json(row.cost)},
-                      {"residual", as_json(row.residual)},
-                      {"shifted_mean", as_json(row.shifted_mean)},
-                      {"slowdown", as_json(row.slowdown)},
-                      {"best", row.best},
-                      {"front", row.front},
-                      {"profile", as_json(row.profile)}};
+  OrderedJson object = {{"setting", row.setting},
+                        {"instances", mass.instances},
+                        {"solved", mass.solved},
+                        {"failed", mass.failed},
+                        {"trivial", mass.trivial},
+                        {"unsupported", mass.unsupported},
+                        {"not_run", mass.not_run},
+                        {"cost", as_json(row.cost)},
+                        {"residual", as_json(row.residual)},
+                        {"shifted_mean", as_json(row.shifted_mean)},
+                        {"slowdown", as_json(row.slowdown)},
+                        {"best", row.best},
+                        {"front", row.front},
+                        {"profile", as_json(row.profile)}};
   if (in_full) {
-    json["within"] = as_json(row.within);
-    json["accuracy_in_time"] = as_json(row.accuracy_in_time);
+    object["within"] = as_json(row.within);
+    object["accuracy_in_time"] = as_json(row.accuracy_in_time);
   }
-  return json;
+  return object;
 }
 
 OrderedJson as_json(const Ladder& ladder, const Group& group) {
@@ -81,21 +81,21 @@ OrderedJson as_json(const Ladder& ladder, const Group& group) {
 }
 
 OrderedJson as_json(const Group& group, bool in_full) {
-  OrderedJson json = {{"name", group.name},
-                      {"instances", group.instances},
-                      {"unsolved_by_all", group.unsolved_by_all},
-                      {"shift", group.shift}};
-  json["rows"] = OrderedJson::array();
-  for (const SheetRow& row : group.rows) json["rows"].push_back(as_json(row, in_full));
-  json["ladders"] = OrderedJson::array();
-  for (const Ladder& ladder : group.ladders) json["ladders"].push_back(as_json(ladder, group));
-  return json;
+  OrderedJson object = {{"name", group.name},
+                        {"instances", group.instances},
+                        {"unsolved_by_all", group.unsolved_by_all},
+                        {"shift", group.shift}};
+  object["rows"] = OrderedJson::array();
+  for (const SheetRow& row : group.rows) object["rows"].push_back(as_json(row, in_full));
+  object["ladders"] = OrderedJson::array();
+  for (const Ladder& ladder : group.ladders) object["ladders"].push_back(as_json(ladder, group));
+  return object;
 }
 
 }  // namespace
 
 std::string sheet_json(const Sheet& sheet) {
-  OrderedJson json = {
+  OrderedJson object = {
       {"measure", to_string(sheet.options.measure)},
       {"unit", sheet.options.measure == Measure::time ? "ms" : "count"},
       {"tolerance", sheet.tolerance},
@@ -105,16 +105,16 @@ std::string sheet_json(const Sheet& sheet) {
       {"budgets_ms", sheet.options.budgets_ms},
       {"jobs", sheet.jobs},
       {"without_work", sheet.without_work}};
-  json["settings"] = OrderedJson::array();
+  object["settings"] = OrderedJson::array();
   for (const Setting& setting : sheet.settings)
-    json["settings"].push_back({{"label", setting.label},
-                                {"solver", setting.solver},
-                                {"row", setting.row},
-                                {"start", setting.start}});
-  json["groups"] = OrderedJson::array();
+    object["settings"].push_back({{"label", setting.label},
+                                  {"solver", setting.solver},
+                                  {"row", setting.row},
+                                  {"start", setting.start}});
+  object["groups"] = OrderedJson::array();
   for (const Group& group : sheet.groups)
-    json["groups"].push_back(as_json(group, &group == &sheet.groups.front()));
-  return json.dump(-1, ' ', false, OrderedJson::error_handler_t::replace) + "\n";
+    object["groups"].push_back(as_json(group, &group == &sheet.groups.front()));
+  return object.dump(-1, ' ', false, OrderedJson::error_handler_t::replace) + "\n";
 }
 
 std::string sheet_csv(const Sheet& sheet) {
@@ -149,11 +149,12 @@ std::string sheet_csv(const Sheet& sheet) {
         return curve.counted == 0 ? std::string() : fmt::format("{:.4g}", value);
       };
       for (const double ratio : csv_ratios)
-        out += "," + share(row.profile, row.profile.share(ratio));
-      out += "," + share(row.profile, row.profile.unreached());
-      for (const Curve& curve : row.within) out += "," + share(curve, 1 - curve.unreached());
+        out += fmt::format(",{}", share(row.profile, row.profile.share(ratio)));
+      out += fmt::format(",{}", share(row.profile, row.profile.unreached()));
+      for (const Curve& curve : row.within)
+        out += fmt::format(",{}", share(curve, 1 - curve.unreached()));
       for (const Curve& curve : row.accuracy_in_time)
-        out += "," + share(curve, 1 - curve.unreached());
+        out += fmt::format(",{}", share(curve, 1 - curve.unreached()));
       out += "\n";
     }
   }
