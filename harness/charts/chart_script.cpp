@@ -143,7 +143,7 @@ std::string script_chart(const ChartPanel& panel, std::size_t index, Measure mea
   const bool long_axis = panel.residual.high / panel.residual.low > 1e7;
   const bool no_work = panel.cost.low < cost_floor(measure);
   return fmt::format(
-      R"(set title '{corpus}: {counted} instances counted' noenhanced offset 0,-0.4 font ',14'
+      R"(set title '{corpus}: {counted} instance{plural} counted' noenhanced offset 0,-0.4 font ',14'
 set border 3 lc rgb '#555555'
 set logscale xy
 set xrange [{x_low:.6g}:{x_high:.6g}]
@@ -177,11 +177,11 @@ unset border
 unset tics
 )",
       fmt::arg("corpus", fit_for_gnuplot(panel.title)), fmt::arg("counted", panel.counted()),
-      fmt::arg("cost", printed(measure)), fmt::arg("points", 3 * index),
-      fmt::arg("ladders", 3 * index + 1), fmt::arg("stairs", 3 * index + 2),
-      fmt::arg("x_low", panel.cost.low), fmt::arg("x_high", panel.cost.high),
-      fmt::arg("y_low", panel.residual.low), fmt::arg("y_high", panel.residual.high),
-      fmt::arg("x_ticks", axis_ticks(panel.cost)),
+      fmt::arg("plural", panel.counted() == 1 ? "" : "s"), fmt::arg("cost", printed(measure)),
+      fmt::arg("points", 3 * index), fmt::arg("ladders", 3 * index + 1),
+      fmt::arg("stairs", 3 * index + 2), fmt::arg("x_low", panel.cost.low),
+      fmt::arg("x_high", panel.cost.high), fmt::arg("y_low", panel.residual.low),
+      fmt::arg("y_high", panel.residual.high), fmt::arg("x_ticks", axis_ticks(panel.cost)),
       fmt::arg("no_work_tick", no_work ? "set xtics add ('0' cost_floor)\n" : ""),
       fmt::arg("step", long_axis ? 100 : 10),
       fmt::arg("floor_tick", at_floor ? "set ytics add ('exact' residual_floor)\n" : ""),

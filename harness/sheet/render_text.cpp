@@ -1,4 +1,5 @@
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <stdexcept>
@@ -195,6 +196,9 @@ std::string sheet_caption(const Sheet& sheet) {
       "at infinity.",
       printed(sheet.options.measure), sheet.tolerance, ratio_formula(sheet.options),
       sheet.settings.size());
+  if (!sheet.without_work.empty())
+    out += fmt::format(" Left out, since their rows count no {}: {}.",
+                       to_string(sheet.options.measure), fmt::join(sheet.without_work, ", "));
   if (sheet.jobs > 1)
     out += fmt::format(" {} jobs ran at the same time: times are disturbed.", sheet.jobs);
   return out;
@@ -205,10 +209,6 @@ std::string sheet_text(const Sheet& sheet) {
   std::string out;
   for (const Group& group : sheet.groups)
     out += group_as_text(sheet, group, &group == &sheet.groups.front());
-  for (const std::string& name : sheet.without_work)
-    out += fmt::format("{} is left out: its row counts no {}\n", name,
-                       to_string(sheet.options.measure));
-  if (!sheet.without_work.empty()) out += "\n";
   for (const SheetColumn& column : sheet_columns())
     if (!column.meaning.empty()) out += fmt::format("  {:<7} {}\n", column.heading, column.meaning);
   out +=
