@@ -213,7 +213,8 @@ std::string sheet_text(const Sheet& sheet) {
     if (!column.meaning.empty()) out += fmt::format("  {:<7} {}\n", column.heading, column.meaning);
   out +=
       "  front   no setting is as good in median cost, median residual and share solved, and "
-      "better in one\n";
+      "better in one;\n"
+      "          medians are compared as they are: times a few per cent apart may swap places\n";
   const bool laddered = std::any_of(sheet.groups.begin(), sheet.groups.end(),
                                     [](const Group& group) { return !group.ladders.empty(); });
   if (laddered)
