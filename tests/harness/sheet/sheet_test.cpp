@@ -324,7 +324,7 @@ TEST(Sheet, LosesNoRowOfMadeUpOnes) {
 }
 
 TEST(Sheet, LosesNoRowOfACommittedRun) {
-  const std::vector<Record> records = read_run(RESULTS "/small");
+  const std::vector<Record> records = read_run(RESULTS "/default");
   EXPECT_GT(records.size(), 100u);
   expect_whole(records);
 }
