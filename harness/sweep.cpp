@@ -56,4 +56,53 @@ std::vector<std::string> sweep_settings(const std::string& solver,
   return settings;
 }
 
+namespace {
+
+/// Those of `options` along which `solver` can be swept; all of its own where none are named.
+std::vector<std::string> options_to_climb(const NamedSolver& solver,
+                                          const std::vector<std::string>& options) {
+  const Spelling spelling = parse_spelling(solver.spelling);
+  std::vector<std::string> found;
+  for (const Option& option : ladders(solver.solver->options())) {
+    const bool wanted =
+        options.empty() || std::find(options.begin(), options.end(), option.name) != options.end();
+    if (wanted && !sets(spelling, option.name)) found.push_back(option.name);
+  }
+  return found;
+}
+
+}  // namespace
+
+SweepPlan plan_sweep(const std::vector<std::string>& solvers,
+                     const std::vector<std::string>& options) {
+  SweepPlan plan;
+  bool any = false;
+  const auto climb = [&](const std::string& solver, const std::vector<std::string>& along) {
+    any = true;
+    for (std::string& setting : sweep_settings(solver, along))
+      plan.settings.push_back(std::move(setting));
+  };
+  for (const std::string& text : solvers) {
+    if (!names_several(text)) {
+      climb(text, options);
+      continue;
+    }
+    for (const NamedSolver& solver : make_solvers({text})) {
+      const std::vector<std::string> along = options_to_climb(solver, options);
+      if (!along.empty()) {
+        climb(solver.spelling, along);
+      } else {
+        plan.settings.push_back(solver.spelling);
+        plan.without_ladder.push_back(solver.spelling);
+      }
+    }
+  }
+  if (!any)
+    throw std::invalid_argument(
+        fmt::format("no solver of {} has {}: see lcpbench list solvers", fmt::join(solvers, ", "),
+                    options.empty() ? "an option that trades speed for accuracy"
+                                    : fmt::format("a ladder for {}", fmt::join(options, ", "))));
+  return plan;
+}
+
 }  // namespace lcp

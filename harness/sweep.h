@@ -12,4 +12,18 @@ namespace lcp {
 std::vector<std::string> sweep_settings(const std::string& solver,
                                         const std::vector<std::string>& options);
 
+/// What a sweep runs.
+struct SweepPlan {
+  std::vector<std::string> settings;
+  /// Spellings among `settings` that a pattern brought and that have no ladder to climb: they are run
+  /// as they are.
+  std::vector<std::string> without_ladder;
+};
+
+/// The same for several solvers, among them `own`, `all` and patterns as make_solvers takes them. Of
+/// the rows that a pattern brings, each climbs those of `options` that it has a ladder for. Throws as
+/// sweep_settings and make_solvers do, and when nothing has a ladder.
+SweepPlan plan_sweep(const std::vector<std::string>& solvers,
+                     const std::vector<std::string>& options);
+
 }  // namespace lcp

@@ -85,6 +85,11 @@ NamedSolver make_solver(const std::string& text) {
   return make_from(find_row(spelling.name), spelling);
 }
 
+bool names_several(const std::string& text) {
+  const std::string name = parse_spelling(text).name;
+  return name == "own" || name == "all" || name.find_first_of("*?[") != std::string::npos;
+}
+
 std::vector<NamedSolver> make_solvers(const std::vector<std::string>& texts) {
   std::vector<NamedSolver> solvers;
   const auto take = [&](NamedSolver solver) {
@@ -97,7 +102,7 @@ std::vector<NamedSolver> make_solvers(const std::vector<std::string>& texts) {
     const Spelling spelling = parse_spelling(text);
     const bool own = spelling.name == "own";
     const std::string pattern = own || spelling.name == "all" ? "*" : spelling.name;
-    if (pattern.find_first_of("*?[") == std::string::npos) {
+    if (!names_several(text)) {
       take(make_solver(text));
       continue;
     }

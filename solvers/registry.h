@@ -73,6 +73,9 @@ const Row& find_row(const std::string& name);
 /// of what is allowed.
 NamedSolver make_solver(const std::string& text);
 
+/// True for `own`, `all` and names with `*`, `?` or `[`, settings aside.
+bool names_several(const std::string& text);
+
 /// The same for a list in which `all` stands for every row, `own` for every row but the peers, and a
 /// name may hold `*`: `best-first*:epsilon=1e-6`. Order is kept, repetitions are dropped.
 std::vector<NamedSolver> make_solvers(const std::vector<std::string>& texts);

@@ -1,46 +1,24 @@
 #pragma once
 
 #include <filesystem>
-#include <optional>
-#include <string>
-#include <vector>
 
-#include "harness/runs/record.h"
+#include "harness/sheet/sheet.h"
 
 namespace lcp {
 
-/// Quartiles and median over the instances that a solver solved.
-struct Spread {
-  double low = 0;
-  double median = 0;
-  double high = 0;
-};
+/// Draws the plane of a sheet with gnuplot: a panel per group, median cost against median residual on
+/// log axes with quartiles as bars, settings of a ladder joined, the front ringed, and its part among
+/// those that solve the most as stairs. Beside each panel the mass: failures of every setting, which
+/// have no place in the plane, and what else is not solved. Where a group has many settings, the front
+/// and the highlights are in colour and listed, the others grey and summed up.
+///
+/// Writes `svg`, and the script and the data it is made from beside it (.gp, .dat), so that it can be
+/// restyled: `gnuplot chart.gp > chart.svg`. Throws UnwritableOutput where they cannot be written or
+/// gnuplot is missing or fails, and std::invalid_argument when no group has a counted row.
+void draw_chart(const Sheet& sheet, const std::filesystem::path& svg);
 
-/// One solver setting on one corpus, as a point of the chart of time against accuracy.
-struct ChartPoint {
-  std::string corpus;
-  /// Registry row, with ` [START]` where rows start differently: points of one row share a colour and
-  /// are joined.
-  std::string row;
-  std::string label;  ///< As in the table.
-  Index counted = 0;  ///< success + failure of the table.
-  Index failed = 0;
-  std::optional<Spread> time_ms;   ///< Of one solve; empty when nothing was solved.
-  std::optional<Spread> residual;  ///< Natural residual, scaled; exact zeros stay 0.
-};
-
-/// By corpus, then by solver, each in order of first appearance.
-std::vector<ChartPoint> chart_points(const std::vector<Record>& records);
-
-/// Smallest residual that the chart tells from zero; what is below is drawn there.
-constexpr double residual_floor = 1e-18;
-
-/// Draws `points` with gnuplot: a panel per corpus, median time against median residual on log axes,
-/// quartiles as bars, and beside it the failures of every solver. Writes `svg`, and the script and
-/// the data it is made from beside it (.gp, .dat), so that it can be restyled:
-/// `gnuplot chart.gp > chart.svg`. Throws UnwritableOutput where they cannot be written or gnuplot
-/// is missing or fails, and std::invalid_argument when no corpus has a counted run.
-void draw_chart(const std::vector<ChartPoint>& points, double tolerance,
-                const std::filesystem::path& svg);
+/// Groups that a picture of small multiples shows, the first `most` with counted rows: all corpora
+/// together, then corpora in their order.
+std::vector<const Group*> drawn_groups(const Sheet& sheet, std::size_t most);
 
 }  // namespace lcp

@@ -3,19 +3,18 @@
 #include <string>
 #include <vector>
 
-#include "harness/charts/chart.h"
+#include "harness/charts/chart_panels.h"
 
 namespace lcp {
 
 /// What gnuplot draws a chart from.
 struct ChartFiles {
   std::string script;
-  std::string data;  ///< A data set per corpus, a line per solver.
+  std::string data;  ///< Three data sets per panel: a line per setting, the ladders, the stairs.
 };
 
-/// Lays the chart of draw_chart out; the script reads its data from NAME.dat. Throws
-/// std::invalid_argument when no corpus has a counted run.
-ChartFiles chart_files(const std::vector<ChartPoint>& points, double tolerance,
+/// Lays the chart of draw_chart out; the script reads its data from NAME.dat.
+ChartFiles chart_files(const std::vector<ChartPanel>& panels, const Sheet& sheet,
                        const std::string& name);
 
 }  // namespace lcp

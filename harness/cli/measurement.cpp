@@ -104,7 +104,7 @@ void add_options(CLI::App& page, Measurement& measurement) {
       ->capture_default_str();
   page.add_flag("--resume", measurement.resume,
                 "Go on with what DIR holds: run the pairs without a row");
-  page.add_option("--out", measurement.out, "Directory for rows, table and chart");
+  page.add_option("--out", measurement.out, "Directory for rows, table, sheet and pictures");
 }
 
 std::string suite_name(const Measurement& measurement) {
@@ -146,9 +146,9 @@ int measure(const Measurement& measurement, std::vector<NamedSolver> solvers,
     return interrupted_by_user;
   }
   fmt::print("{}", render(write_tables(out), TableFormat::text));
-  std::fflush(stdout);  // the table stands, whatever becomes of the chart
-  write_chart(out);
-  fmt::print(stderr, "rows, table, chart and environment are in {}\n", out);
+  std::fflush(stdout);  // the table stands, whatever becomes of the pictures
+  write_sheet(out, {}, out);
+  fmt::print(stderr, "rows, table, sheet, pictures and environment are in {}\n", out);
   return done;
 }
 

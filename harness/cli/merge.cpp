@@ -26,7 +26,7 @@ int merge_runs(const MergeArguments& arguments) {
   write_stored_run(whole);
   fmt::print("{}", render(write_tables(out), TableFormat::text));
   std::fflush(stdout);
-  write_chart(out);
+  write_sheet(out, {}, out);
   fmt::print(stderr, "{} rows of {} runs are in {}\n", whole.rows.size(), runs.size(), out);
   return done;
 }

@@ -37,7 +37,7 @@ int run_suite_or_corpora(const RunArguments& arguments) {
 
 Verb add_run(CLI::App& program) {
   CLI::App* page = program.add_subcommand(
-      "run", "Measure solvers on a suite or corpora; write rows, table and chart");
+      "run", "Measure solvers on a suite or corpora; write rows, table and sheet");
   auto arguments = std::make_shared<RunArguments>();
   page->add_option(
           "--solver", arguments->solvers,
@@ -45,9 +45,9 @@ Verb add_run(CLI::App& program) {
       ->allow_extra_args(false);
   add_options(*page, arguments->measurement);
   page->footer(
-      "Writes DIR/{run.json, env.json, rows.jsonl, table.txt, table.csv, table.json, chart.svg}; "
-      "DIR is "
-      "runs/SUITE unless --out names it.\n"
+      "Writes DIR/{run.json, env.json, rows.jsonl, table.txt, table.csv, table.json} and the files "
+      "of "
+      "lcpbench sheet; DIR is runs/SUITE unless --out names it.\n"
       "Example:\n"
       "  lcpbench run --suite small --solver 'best-first*' --solver lexicographic:delta=1e-10\n"
       "  lcpbench run --suite contact --start cold --start two-step --start previous --solver "

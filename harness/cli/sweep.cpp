@@ -1,5 +1,9 @@
 #include "harness/sweep.h"
 
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <cstdio>
 #include <memory>
 
 #include "harness/cli/measurement.h"
@@ -15,22 +19,30 @@ struct SweepArguments {
   std::vector<std::string> options;
 };
 
+/// Without the signs of a pattern.
+std::string fit_for_a_file(std::string name) {
+  std::erase_if(name, [](char c) { return c == '*' || c == '?' || c == '[' || c == ']'; });
+  while (!name.empty() && name.back() == '-') name.pop_back();
+  return name.empty() ? "all" : name;
+}
+
 int sweep(const SweepArguments& arguments) {
-  std::vector<std::string> settings;
-  for (const std::string& solver : arguments.solvers)
-    for (const std::string& setting : sweep_settings(solver, arguments.options))
-      settings.push_back(setting);
-  const std::string first = parse_spelling(arguments.solvers.front()).name;
-  return measure(arguments.measurement, make_solvers(settings), "runs/sweep-" + first);
+  const SweepPlan plan = plan_sweep(arguments.solvers, arguments.options);
+  if (!plan.without_ladder.empty())
+    fmt::print(stderr, "run as they are, without a ladder to climb: {}\n",
+               fmt::join(plan.without_ladder, ", "));
+  return measure(arguments.measurement, make_solvers(plan.settings),
+                 "runs/sweep-" + fit_for_a_file(parse_spelling(arguments.solvers.front()).name));
 }
 
 }  // namespace
 
 Verb add_sweep(CLI::App& program) {
   CLI::App* page = program.add_subcommand(
-      "sweep", "Measure solvers along their accuracy options: the chart of speed against accuracy");
+      "sweep", "Measure solvers along their accuracy options: the sheet of speed against accuracy");
   auto arguments = std::make_shared<SweepArguments>();
-  page->add_option("--solver", arguments->solvers, "NAME[:key=value,...]; repeatable")
+  page->add_option("--solver", arguments->solvers,
+                   "NAME[:key=value,...], pattern, own or all; repeatable")
       ->required()
       ->allow_extra_args(false);
   page->add_option("--option", arguments->options,
@@ -38,8 +50,11 @@ Verb add_sweep(CLI::App& program) {
       ->allow_extra_args(false);
   add_options(*page, arguments->measurement);
   page->footer(
-      "Each option is varied alone. The ladders: lcpbench list solvers.\n"
-      "Example:\n"
+      "Each option is varied alone. Rows of a pattern without a ladder run as they are. The "
+      "ladders: "
+      "lcpbench list solvers.\n"
+      "Examples:\n"
+      "  lcpbench sweep --solver own --corpus squat.hdf5 --limit 5\n"
       "  lcpbench sweep --solver best-first --option epsilon --suite contact --every 10");
   return {page, [arguments] { return sweep(*arguments); }};
 }

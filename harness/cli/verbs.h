@@ -35,6 +35,7 @@ Verb add_list(CLI::App& program);
 Verb add_merge(CLI::App& program);
 Verb add_paper(CLI::App& program);
 Verb add_run(CLI::App& program);
+Verb add_sheet(CLI::App& program);
 Verb add_simulate(CLI::App& program);
 Verb add_solve(CLI::App& program);
 Verb add_stability(CLI::App& program);

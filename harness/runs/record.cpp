@@ -6,12 +6,16 @@
 
 #include <cerrno>
 #include <cmath>
+#include <filesystem>
 #include <fstream>
+#include <iterator>
 #include <limits>
+#include <sstream>
 #include <stdexcept>
 #include <system_error>
 
 #include "harness/observed_quantile.h"
+#include "harness/program_output.h"
 
 namespace lcp {
 
@@ -204,10 +208,33 @@ void from_json(const json& object, Record& record) {
   });
 }
 
-std::vector<Record> read_records(const std::string& directory) {
-  const std::string path = rows_file(directory);
+namespace {
+
+/// The lines of rows.jsonl, or of rows.jsonl.xz where there is only that.
+std::string rows_text(const std::string& path) {
+  namespace fs = std::filesystem;
+  if (!fs::exists(path) && fs::exists(path + ".xz")) {
+    try {
+      const fs::path packed = fs::absolute(path + ".xz");
+      const ProgramOutput unpacked =
+          output_of("xz", {"-dc", "--", packed.filename().string()}, packed.parent_path());
+      if (unpacked.status == 0) return unpacked.out;
+      throw std::runtime_error(fmt::format("{}.xz: {}", path, unpacked.complaint));
+    } catch (const std::system_error& error) {
+      throw std::runtime_error(
+          fmt::format("{}.xz: cannot be unpacked: xz: {}", path, error.code().message()));
+    }
+  }
   std::ifstream file(path, std::ios::binary);
   if (!file) throw std::runtime_error(fmt::format("{}: cannot be read", path));
+  return {std::istreambuf_iterator<char>(file), {}};
+}
+
+}  // namespace
+
+std::vector<Record> read_records(const std::string& directory) {
+  const std::string path = rows_file(directory);
+  std::istringstream file(rows_text(path));
   std::vector<Record> records;
   std::string line;
   while (std::getline(file, line)) {

@@ -71,7 +71,8 @@ void to_json(nlohmann::json& json, const Record& record);
 /// Throws std::invalid_argument saying which field is missing or malformed.
 void from_json(const nlohmann::json& json, Record& record);
 
-/// Reads rows.jsonl of a run directory, in file order. Throws std::runtime_error naming the file,
+/// Reads rows.jsonl of a run directory, in file order; where there is none, rows.jsonl.xz, which the
+/// program xz unpacks. Throws std::runtime_error naming the file,
 /// and the line of a malformed row; an unfinished last line (a killed writer's) is dropped.
 std::vector<Record> read_records(const std::string& directory);
 

@@ -10,7 +10,7 @@
 #include <stdexcept>
 #include <system_error>
 
-#include "harness/charts/chart.h"
+#include "harness/charts/sheet_files.h"
 #include "harness/measure/environment.h"
 #include "problems/io/errors.h"
 #include "problems/io/replace_file.h"
@@ -252,11 +252,10 @@ Table write_tables(const fs::path& directory) {
   return table;
 }
 
-void write_chart(const fs::path& directory) {
-  const std::vector<Record> records = read_run(directory);
-  const std::vector<ChartPoint> points = chart_points(records);
-  if (std::any_of(points.begin(), points.end(), [](const ChartPoint& p) { return p.counted > 0; }))
-    draw_chart(points, records.front().tolerance, directory / "chart.svg");
+Sheet write_sheet(const fs::path& directory, const SheetOptions& options, const fs::path& out) {
+  const Sheet sheet = make_sheet(read_run(directory), options);
+  write_sheet(sheet, out);
+  return sheet;
 }
 
 }  // namespace lcp

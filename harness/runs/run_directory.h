@@ -6,6 +6,7 @@
 
 #include "harness/measure/runner.h"
 #include "harness/runs/settings.h"
+#include "harness/sheet/sheet.h"
 #include "harness/tables/table.h"
 
 namespace lcp {
@@ -17,7 +18,7 @@ namespace lcp {
 ///                  something else. A row names its environment by id.
 ///     rows.jsonl   a line per finished pair
 ///
-/// and the tables and chart derived from these. Every file but rows.jsonl appears in one piece, and
+/// and the tables, sheet and pictures derived from these. Every file but rows.jsonl appears in one piece, and
 /// rows.jsonl grows by whole lines: whatever ends the program, what stands there is right.
 
 /// How run_into treats a directory that exists.
@@ -80,8 +81,9 @@ std::vector<Record> read_run(const std::filesystem::path& directory);
 /// table. Throws UnreadableInput and UnwritableOutput.
 Table write_tables(const std::filesystem::path& directory);
 
-/// Draws the chart of time against accuracy (chart.svg, .gp, .dat) from the rows of a run directory,
-/// unless nothing counts in them. Throws as write_tables and draw_chart do.
-void write_chart(const std::filesystem::path& directory);
+/// Makes the sheet of a run directory and writes it and its pictures into `out` (see write_sheet).
+/// Throws as read_run, make_sheet and write_sheet do.
+Sheet write_sheet(const std::filesystem::path& directory, const SheetOptions& options,
+                  const std::filesystem::path& out);
 
 }  // namespace lcp

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <stdexcept>
 
 #include "solvers/registry.h"
@@ -54,6 +55,26 @@ TEST(Sweep, RefusesAnOptionThatIsBothSweptAndSet) {
 
 TEST(Sweep, RefusesARowWithoutAccuracyOptions) {
   EXPECT_THROW(sweep_settings("liar", {}), std::invalid_argument);
+}
+
+TEST(Sweep, OfAPatternClimbsWhatHasALadderAndRunsTheRestAsItIs) {
+  const SweepPlan plan = plan_sweep({"l*"}, {"delta"});
+  const std::vector<std::string> delta = sweep_settings("lexicographic", {"delta"});
+  for (const std::string& setting : delta)
+    EXPECT_EQ(std::count(plan.settings.begin(), plan.settings.end(), setting), 1) << setting;
+  EXPECT_EQ(plan.without_ladder, (std::vector<std::string>{"lemke", "lemke-revised", "liar"}));
+  EXPECT_EQ(std::count(plan.settings.begin(), plan.settings.end(), "lemke"), 1);
+}
+
+TEST(Sweep, OfOwnClimbsEveryRowsLadders) {
+  const SweepPlan plan = plan_sweep({"own"}, {});
+  for (const char* setting : {"best-first:epsilon=1e-03", "projected-gauss-seidel:tolerance=1e-02"})
+    EXPECT_EQ(std::count(plan.settings.begin(), plan.settings.end(), setting), 1) << setting;
+}
+
+TEST(Sweep, RefusesAPatternOfRowsWithoutTheLadder) {
+  EXPECT_THROW(plan_sweep({"best-first*"}, {"delta_of_nobody"}), std::invalid_argument);
+  EXPECT_THROW(plan_sweep({"liar"}, {}), std::invalid_argument);
 }
 
 }  // namespace

@@ -1,0 +1,37 @@
+#include "harness/charts/sheet_files.h"
+
+#include <fmt/format.h>
+
+#include <system_error>
+
+#include "harness/charts/chart.h"
+#include "harness/charts/sheet_pictures.h"
+#include "problems/io/errors.h"
+#include "problems/io/replace_file.h"
+
+namespace lcp {
+
+void write_sheet(const Sheet& sheet, const std::filesystem::path& directory) {
+  const bool timed = sheet.options.measure == Measure::time;
+  const std::string of_measure = timed ? "" : "-" + to_string(sheet.options.measure);
+  const auto path = [&](const std::string& name, const std::string& rest) {
+    return directory / (name + of_measure + rest);
+  };
+  std::error_code error;
+  std::filesystem::create_directories(directory, error);
+  if (error)
+    throw UnwritableOutput(
+        fmt::format("{}: cannot create: {}", directory.string(), error.message()));
+  replace_file(path("sheet", ".txt").string(), render(sheet, SheetFormat::text));
+  replace_file(path("sheet", ".csv").string(), render(sheet, SheetFormat::csv));
+  replace_file(path("sheet", ".json").string(), render(sheet, SheetFormat::json));
+  if (drawn_groups(sheet, 1).empty()) return;
+  draw_chart(sheet, path("chart", ".svg"));
+  draw_step_curves(path("sheet", "-profile.svg"), profile_page(sheet));
+  if (!sheet.options.accuracies.empty())
+    draw_step_curves(path("sheet", "-cumulative.svg"), cumulative_page(sheet));
+  if (timed && !sheet.options.budgets_ms.empty())
+    draw_step_curves(path("sheet", "-accuracy.svg"), accuracy_page(sheet));
+}
+
+}  // namespace lcp
