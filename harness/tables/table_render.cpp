@@ -280,6 +280,14 @@ std::string latex(const Table& table) {
 
 }  // namespace
 
+std::vector<TableColumn> table_columns() {
+  std::vector<TableColumn> columns;
+  for (const Quantity& quantity : solver_quantities())
+    columns.push_back({quantity.key, quantity.heading, quantity.meaning, quantity.number,
+                       quantity.always, quantity.of_starts});
+  return columns;
+}
+
 std::string render(const Table& table, TableFormat format) {
   switch (format) {
     case TableFormat::text:
