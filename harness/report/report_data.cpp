@@ -81,7 +81,7 @@ void add_figures(const Record& record, std::map<std::string, Ordered>& columns, 
     Ordered& column = columns[name];
     if (column.is_null()) column = Ordered::array();
     while (column.size() < row) column.push_back(nullptr);  // Rows before had none.
-    column.push_back(value);
+    column.push_back(Ordered(value));
   };
   if (object.contains("accuracy"))
     for (const auto& [name, value] : object.at("accuracy").items())
