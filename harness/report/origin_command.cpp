@@ -2,8 +2,8 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <charconv>
+#include <memory>
 #include <stdexcept>
 
 #include "harness/suites.h"
@@ -57,6 +57,24 @@ InstanceCommand in_corpora(const std::string& instance, const std::vector<std::s
       "that do not hold it say so. Paths are those given to the run."};
 }
 
+/// Time step (s) of a scene in full spelling, without setting it up, which may take a while. Empty for
+/// what is called like no scene of the catalogue.
+std::optional<double> time_step(const std::string& scene) {
+  try {
+    const Spelling spelling = parse_spelling(scene);
+    for (const SceneRow& row : scenes()) {
+      if (row.info.name != spelling.name) continue;
+      const std::unique_ptr<Scene> knobs = row.make();
+      OptionTable table = knobs->options();
+      apply(table, spelling, row.info.name);
+      for (const Option& option : table)
+        if (option.name == "dt") return std::stod(option.get());
+    }
+  } catch (const std::invalid_argument&) {  // Somebody's corpus that is spelled otherwise.
+  }
+  return std::nullopt;
+}
+
 }  // namespace
 
 std::string shell_quoted(const std::string& text) {
@@ -74,22 +92,14 @@ std::optional<InstanceCommand> simulated_again(const std::string& instance,
   const char* end = digits.data() + digits.size();
   const auto [stop, error] = std::from_chars(digits.data(), end, frame);
   if (error != std::errc() || stop != end || frame < 0) return std::nullopt;
-  const std::string name = scene.substr(0, scene.find(':'));
-  if (std::none_of(scenes().begin(), scenes().end(),
-                   [&](const SceneRow& row) { return row.info.name == name; }))
-    return std::nullopt;
-  double dt = 0;
-  try {
-    dt = make_scene(scene).setup.stepping.dt;
-  } catch (const std::invalid_argument&) {  // A corpus of somebody's that is called like a scene.
-    return std::nullopt;
-  }
+  const std::optional<double> dt = time_step(scene);
+  if (!dt) return std::nullopt;
   // Dumped are frames 0 and `frame`, so that it stands in the first shard.
   const std::string directory = file_stem(instance);
   return InstanceCommand{
       fmt::format("[ -e {0} ] || {1} simulate {2} --duration {3:.9g}s --every {4} --dump {0} && ",
                   directory, report_program, shell_quoted(scene),
-                  dt * static_cast<double>(frame + 1), std::max<Index>(frame, 1)),
+                  *dt * static_cast<double>(frame + 1), std::max<Index>(frame, 1)),
       in_file(directory + "/0000.hdf5", instance), "",
       "The scene is simulated again up to this frame, driven by best-first."};
 }

@@ -71,8 +71,9 @@ std::string first_line(const Json& data, std::size_t row) {
 }
 
 TEST_F(Report, CommandsOfASuiteDrawTheInstanceAgainAndEndAsTheRowDid) {
-  ASSERT_EQ(run({"run", "--suite", "small", "--every", "7", "--solver", "lemke", "--out", "r"}).status,
-            0);
+  ASSERT_EQ(
+      run({"run", "--suite", "small", "--every", "7", "--solver", "lemke", "--out", "r"}).status,
+      0);
   const Ran ran = run({"report", "r"});
   ASSERT_EQ(ran.status, 0) << ran.err;
   const Json page = data("r/report.html");
@@ -82,11 +83,12 @@ TEST_F(Report, CommandsOfASuiteDrawTheInstanceAgainAndEndAsTheRowDid) {
                        ["corpus"]] = row;
   EXPECT_GT(last_of_corpus.size(), 10u);
   for (const auto& [corpus, row] : last_of_corpus) {
-    const Json& instance = page["instances"][entry(page["rows"]["instance"], row).get<std::size_t>()];
+    const Json& instance =
+        page["instances"][entry(page["rows"]["instance"], row).get<std::size_t>()];
     const Ran traced = shell(trace_command(page, row, instance["command"]));
     EXPECT_EQ(traced.status, 0) << traced.err;
-    EXPECT_EQ(traced.out.find(first_line(page, row)), 0u)
-        << first_line(page, row) << "\n" << traced.out.substr(0, 200);
+    EXPECT_EQ(traced.out.find(first_line(page, row)), 0u) << first_line(page, row) << "\n"
+                                                          << traced.out.substr(0, 200);
   }
 }
 
@@ -102,7 +104,8 @@ TEST_F(Report, CommandsOfCorporaFindTheInstanceAmongThem) {
   const Json page = data("page.html");
   ASSERT_EQ(page["rows"]["count"], 8);
   for (const std::size_t row : {0, 7}) {
-    const Json& instance = page["instances"][entry(page["rows"]["instance"], row).get<std::size_t>()];
+    const Json& instance =
+        page["instances"][entry(page["rows"]["instance"], row).get<std::size_t>()];
     const Ran traced = shell(trace_command(page, row, instance["command"]));
     EXPECT_EQ(traced.status, 0) << traced.err;
     EXPECT_NE(traced.out.find(instance["name"].get<std::string>() + " (n = "), std::string::npos)
@@ -123,7 +126,8 @@ TEST_F(Report, CommandsOfADumpSimulateTheSceneAgain) {
     const Ran traced = shell(trace_command(page, row, instance["simulated"]));
     EXPECT_EQ(traced.status, 0) << traced.err;
     EXPECT_NE(traced.out.find(first_line(page, row)), std::string::npos)
-        << first_line(page, row) << "\n" << traced.out.substr(0, 600);
+        << first_line(page, row) << "\n"
+        << traced.out.substr(0, 600);
   }
 }
 

@@ -104,8 +104,8 @@ TEST(ReportData, HoldsTheTableOfTheRunAndOfEveryOtherTolerance) {
   for (const Ordered& judged : table.at("tolerances")) {
     const double tolerance = judged.at("tolerance");
     own += judged.at("own") == true;
-    const Table expected = judged.at("own") == true ? make_table(run.rows)
-                                                    : make_table(run.rows, tolerance);
+    const Table expected =
+        judged.at("own") == true ? make_table(run.rows) : make_table(run.rows, tolerance);
     const Ordered rows = Ordered::parse(render(expected, TableFormat::json)).at("rows");
     for (std::size_t i = 0; i < rows.size(); ++i)
       for (const auto& [key, value] : rows[i].items())

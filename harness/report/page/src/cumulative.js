@@ -6,10 +6,10 @@ import { chartSection, numbersTable } from "./chart_section.js";
 import { select } from "./dom.js";
 import { endLabels, roomFor } from "./end_labels.js";
 import { counts, judge } from "./judge.js";
-import { duration, percent, tolerance } from "./numbers.js";
+import { duration, logTicks, percent, tolerance } from "./numbers.js";
 import { headHeight, placed, sheet, text } from "./sheet.js";
 
-export const labelRoom = (width) => (width >= 900 ? 330 : 280);
+export const labelRoom = (width) => (width >= 900 ? 390 : 320);
 
 /** Rows that count at the tolerance that is shown: the denominator of all shares here. */
 function counted(selection, variant) {
@@ -38,9 +38,13 @@ function solvedTimes(run, rows, accuracy) {
     .map(({ row }) => row.median_ns).sort((a, b) => a - b);
 }
 
-export function shortened(label, room) {
-  const letters = Math.floor(room / 6.3);
-  return label.length > letters ? `${label.slice(0, letters - 1)}…` : label;
+/** Letter, name and what is said of a curve; the middle of the name gives way where it is too long. */
+function labelOf({ mark, name, tail }, room) {
+  const letters = Math.floor(room / 6.1) - tail.length - mark.letter.length - 3;
+  const half = Math.floor((letters - 1) / 2);
+  const fitting = name.length > letters ? `${name.slice(0, letters - 1 - half)}…${name.slice(-half)}`
+                                        : name;
+  return `${mark.letter} ${fitting}: ${tail}`.trim();
 }
 
 /** Curves of shares on a logarithmic axis, labelled at their right ends. */
@@ -60,19 +64,19 @@ export function drawCurves({ curves, width, title, subtitle, x, xLabel, yLabel, 
       ...curves.map((curve) => Plot.line(curve.points, {
         x: (p) => p[0], y: (p) => p[1], curve: "step-after", stroke: curve.mark.colour,
         strokeWidth: 1.9, strokeDasharray: curve.mark.dash === "none" ? null : curve.mark.dash,
-        title: () => curve.words })),
+        title: () => `${curve.name}: ${curve.tail}` })),
     ],
   });
   const scale = plot.scale("y");
   const ends = curves.map((curve) => ({ y: scale.apply(curve.points.at(-1)?.[1] ?? 0) + head,
-                                        mark: curve.mark, words: shortened(curve.words, room - 50) }));
+                                        mark: curve.mark, words: labelOf(curve, room - 50) }));
   return points.length === 0 ? null : sheet({
     width, height: head + tall, title, subtitle,
     parts: [
       placed(plot, 0, head),
       text(0, head - 4, yLabel, { fill: "#444" }),
       text(width - room - 6, head + tall - 6, xLabel, { fill: "#444", "text-anchor": "end" }),
-      endLabels(ends, width - room - 4, head + 8, head + tall - 30),
+      endLabels(ends, width - room - 4, head + 8, head + tall - 42),
     ],
   });
 }
@@ -85,6 +89,7 @@ function steps(values, total, from, to) {
   return points;
 }
 
+/** What curves of one solver look like, by accuracy from rough to fine. */
 const grey = { colour: "#999", dash: "none", symbol: "circle", letter: "" };
 const ramp = ["#c6dbef", "#9ecae1", "#6baed6", "#4a98c9", "#2e7ebc", "#1764ab", "#0f5291", "#084078",
               "#062d5a", "#000000"];
@@ -119,9 +124,9 @@ export function withinTimeSection(selection, marks, widths) {
     const from = Math.min(...every) / 1.2, to = Math.max(...every) * 1.2;
     const curves = sets.map((set, i) => ({
       mark: set.mark, points: steps(times[i], set.rows.length, from, to),
-      words: `${set.mark.letter} ${set.name}: ${times[i].length} of ${set.rows.length}`.trim() }));
+      name: set.name, tail: `${times[i].length} of ${set.rows.length}` }));
     const drawing = drawCurves({
-      curves, width, x: { domain: [from, to], ticks: 6, tickFormat: duration },
+      curves, width, x: { domain: [from, to], ticks: logTicks([from, to]), tickFormat: duration },
       title: `Solved within a time: ${selection.title()}`,
       subtitle: (one === "all"
         ? `Share of instances solved to ${tolerance(selection.tolerance)} within the time. `
@@ -183,25 +188,22 @@ export function accuracySection(selection, marks, widths) {
         const reached = rows
           .filter(({ row }) => row.claim === "solved" && row.accuracy && row.median_ns <= most &&
                                row.accuracy.residual <= highest)
-          .map(({ row }) => Math.max(row.accuracy.residual, lowest)).sort((a, b) => b - a);
-        const points = [[highest, reached.length / rows.length]];
-        reached.forEach((residual, i) => {
-          points.push([residual, (reached.length - i) / rows.length]);
-        });
-        points.push([lowest, reached.filter((r) => r <= lowest).length / rows.length]);
+          .map(({ row }) => Math.max(row.accuracy.residual, lowest)).sort((a, b) => a - b);
+        const points = steps(reached, rows.length, lowest, highest);
         const good = reached.filter((r) => r <= selection.tolerance).length;
         return { v, mark: marks[v], points, good, all: rows.length,
-                 words: `${marks[v].letter} ${run.variants[v].label}` };
+                 name: run.variants[v].label,
+                 tail: `${good} of ${rows.length}` };
       });
     if (curves.length === 0) return { nothing: "No row counts here." };
     const drawing = drawCurves({
       curves, width,
-      x: { domain: [highest, lowest], ticks: 8, tickFormat: (r) => tolerance(r) },
+      x: { domain: [lowest, highest], ticks: 8, tickFormat: (r) => tolerance(r) },
       title: `Accuracy reached ${limit === "none" ? "at any time" : `within ${duration(most)}`}: ${
         selection.title()}`,
-      subtitle: "Share of instances whose answer has at most this residual, and is claimed as solved. "
-        + leftOut(selection),
-      xLabel: "natural residual (scaled), smaller to the right",
+      subtitle: `Share of instances whose answer has at most this residual and is claimed as solved; at `
+        + `the right how many reach ${tolerance(selection.tolerance)}. ` + leftOut(selection),
+      xLabel: "natural residual (scaled); more digits to the left",
       yLabel: "share of the instances that count" });
     const levels = run.tolerances;
     const numbers = numbersTable(
@@ -219,8 +221,8 @@ export function accuracySection(selection, marks, widths) {
   const part = chartSection({
     id: "accuracy", heading: "Accuracy reached in a given time", widths, selection, choices: [place],
     draw,
-    explanation: "Read from left to right: how many answers are left when more digits are asked for. "
-      + "Residuals of 1e-17 and below, 0 too, are drawn at the right edge.",
+    explanation: "A curve rises where an answer has that residual: the farther left, the more digits. "
+      + "Residuals of 1e-17 and below, 0 too, are drawn at the left edge.",
   });
   return part;
 }

@@ -44,3 +44,15 @@ export function percent(share) {
   return `${value > 0 && value < 1 ? value.toFixed(1) : value > 99 && value < 100 ? value.toFixed(1)
     : value.toFixed(0)} %`;
 }
+
+/** Ticks 1, 2, 5, 10, ... of a logarithmic axis; over many decades powers of ten alone. */
+export function logTicks([from, to]) {
+  const digits = Math.log10(to / from) < 3.2 ? [1, 2, 5] : [1];
+  const ticks = [];
+  for (let power = Math.floor(Math.log10(from)); 10 ** power <= to; ++power)
+    for (const digit of digits) {
+      const tick = +`${digit}e${power}`;
+      if (tick >= from && tick <= to) ticks.push(tick);
+    }
+  return ticks;
+}

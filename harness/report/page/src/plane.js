@@ -5,7 +5,7 @@ import * as Plot from "@observablehq/plot";
 import { chartSection, numbersTable } from "./chart_section.js";
 import { select } from "./dom.js";
 import { counts } from "./judge.js";
-import { duration, figure, percent, tolerance } from "./numbers.js";
+import { duration, figure, logTicks, percent, tolerance } from "./numbers.js";
 import { ascending, quantile } from "./quantile.js";
 import { headHeight, placed, sheet, svg, text } from "./sheet.js";
 import { shapeOf } from "./shapes.js";
@@ -80,14 +80,17 @@ function drawPlane(points, front, selection, marks, width, height) {
   }
   const plot = Plot.plot({
     width, height, marginLeft: 62, marginBottom: 44, marginTop: 14, marginRight: 14,
-    x: { type: "log", domain: domainX, label: null, ticks: 6, tickFormat: (ms) => duration(ms * 1e6) },
+    x: { type: "log", domain: domainX, label: null, ticks: logTicks(domainX),
+         tickFormat: (ms) => duration(ms * 1e6) },
     y: { type: "log", domain: domainY, label: null, ticks: 8, tickFormat: (r) => tolerance(r) },
     marks: [
-      Plot.gridX({ stroke: "#e4e4e4", strokeOpacity: 1 }),
-      Plot.gridY({ stroke: "#e4e4e4", strokeOpacity: 1 }),
+      Plot.gridX(logTicks(domainX), { stroke: "#e4e4e4", strokeOpacity: 1 }),
+      Plot.gridY({ ticks: 8, stroke: "#e4e4e4", strokeOpacity: 1 }),
       Plot.ruleY([selection.tolerance], { stroke: "#888", strokeDasharray: "4,3" }),
       Plot.line(front, { x: (p) => p.time[1], y: (p) => drawn(p.residual[1]), curve: "step-after",
                          stroke: "#888", strokeWidth: 5, strokeOpacity: 0.35 }),
+      Plot.dot(front, { x: (p) => p.time[1], y: (p) => drawn(p.residual[1]), r: 10, fill: "#888",
+                        fillOpacity: 0.3 }),
       Plot.ruleY(points, { x1: (p) => p.time[0], x2: (p) => p.time[2],
                            y: (p) => drawn(p.residual[1]),
                            stroke: (p) => marks[p.variant].colour, strokeWidth: 1.6 }),
@@ -119,7 +122,8 @@ function drawPlane(points, front, selection, marks, width, height) {
                     { fill: "#444", "text-anchor": "end" }),
                text(width - 18, scaleY.apply(selection.tolerance) - 5,
                     `solved: at most ${tolerance(selection.tolerance)}`,
-                    { fill: "#666", "text-anchor": "end" }));
+                    { fill: "#666", "text-anchor": "end", stroke: "white", "stroke-width": 3,
+                      "paint-order": "stroke" }));
   return group;
 }
 
@@ -128,18 +132,18 @@ const laneHeight = 19;
 /** A lane per solver: its key, and a bar that is as long as the corpus. */
 function drawLanes(points, selection, marks, width) {
   const longest = Math.max(...points.map((p) => selection.run.variants[p.variant].label.length));
-  const nameWidth = Math.min(46 + 6.3 * longest, width * 0.62);
+  const nameWidth = Math.min(50 + 6.3 * longest, width * 0.62);
   const barLeft = nameWidth + 8, barWidth = width - barLeft - 52;
   const most = Math.max(...points.map((p) => p.instances));
   const group = svg("g", { "font-size": 11.5 });
   points.forEach((point, i) => {
     const mark = marks[point.variant], y = 40 + i * laneHeight;
     const label = selection.run.variants[point.variant].label;
-    const fitting = Math.floor((nameWidth - 46) / 6);
+    const fitting = Math.floor((nameWidth - 50) / 6);
     group.append(
       svg("path", { d: shapeOf(mark.symbol, 60), transform: `translate(8,${y})`, fill: mark.colour }),
       text(19, y + 4, mark.letter, { "font-weight": 600 }),
-      text(36, y + 4, label.length > fitting ? `${label.slice(0, fitting - 1)}…` : label));
+      text(40, y + 4, label.length > fitting ? `${label.slice(0, fitting - 1)}…` : label));
     let x = barLeft;
     for (const [fate, name, fill] of fates) {
       if (point.mass[fate] === 0) continue;

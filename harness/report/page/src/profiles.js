@@ -5,7 +5,7 @@ import { chartSection, numbersTable } from "./chart_section.js";
 import { drawCurves, leftOut } from "./cumulative.js";
 import { select } from "./dom.js";
 import { counts } from "./judge.js";
-import { percent, tolerance } from "./numbers.js";
+import { logTicks, percent, tolerance } from "./numbers.js";
 
 export const measures = {
   time: { name: "time", of: (row) => row.median_ns },
@@ -60,16 +60,15 @@ export function profileSection(selection, marks, widths) {
       ratios.forEach((ratio, i) => { if (ratio > 1) points.push([ratio, (i + 1) / counted]); });
       points.push([most, ratios.length / counted]);
       const unsolved = counted - ratios.length;
-      return { points, mark: marks[variant], words: `${marks[variant].letter} ${
-        run.variants[variant].label}: ${unsolved === 0 ? "all solved"
-        : `${unsolved} of ${counted} unsolved`}` };
+      return { points, mark: marks[variant], name: run.variants[variant].label,
+               tail: unsolved === 0 ? "all solved" : `${unsolved} of ${counted} unsolved` };
     });
     const absent = without.length
       ? `Not here, since they count no ${measure.name}: ${
           without.map((v) => run.variants[v].label).join(", ")}. ` : "";
     const drawing = drawCurves({
       curves: lines, width,
-      x: { domain: [1, most], ticks: 6, tickFormat: (ratio) => `${+ratio.toPrecision(3)}` },
+      x: { domain: [1, most], ticks: logTicks([1, most]), tickFormat: (ratio) => `${+ratio.toPrecision(3)}` },
       title: `Performance profile by ${measure.name}: ${selection.title()}`,
       subtitle: `Share of instances solved to ${tolerance(selection.tolerance)} within a factor of the `
         + `best of the ${curves.length} solvers shown; unsolved is infinitely far from it. ${absent}${
