@@ -6,7 +6,7 @@ import { chartSection, numbersTable } from "./chart_section.js";
 import { select } from "./dom.js";
 import { endLabels, roomFor } from "./end_labels.js";
 import { counts, judge } from "./judge.js";
-import { duration, logTicks, percent, tolerance } from "./numbers.js";
+import { duration, logTicks, percent, power, tolerance } from "./numbers.js";
 import { headHeight, placed, sheet, text } from "./sheet.js";
 
 export const labelRoom = (width) => (width >= 900 ? 390 : 320);
@@ -58,7 +58,7 @@ export function drawCurves({ curves, width, title, subtitle, x, xLabel, yLabel, 
     x: { type: "log", label: null, ...x },
     y: { domain: [0, 1], label: null, tickFormat: (share) => percent(share) },
     marks: [
-      Plot.gridX({ stroke: "#e4e4e4", strokeOpacity: 1 }),
+      Plot.gridX(x.ticks, { stroke: "#e4e4e4", strokeOpacity: 1 }),
       Plot.gridY({ stroke: "#e4e4e4", strokeOpacity: 1 }),
       Plot.ruleY([0], { stroke: "#666" }),
       ...curves.map((curve) => Plot.line(curve.points, {
@@ -198,7 +198,7 @@ export function accuracySection(selection, marks, widths) {
     if (curves.length === 0) return { nothing: "No row counts here." };
     const drawing = drawCurves({
       curves, width,
-      x: { domain: [lowest, highest], ticks: 8, tickFormat: (r) => tolerance(r) },
+      x: { domain: [lowest, highest], ticks: logTicks([lowest, highest]).filter((_, i) => i % 2 === 1), tickFormat: power },
       title: `Accuracy reached ${limit === "none" ? "at any time" : `within ${duration(most)}`}: ${
         selection.title()}`,
       subtitle: `Share of instances whose answer has at most this residual and is claimed as solved; at `

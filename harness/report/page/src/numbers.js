@@ -23,6 +23,11 @@ export function tolerance(value) {
   return value >= 1e-4 ? String(value) : exponent(value.toExponential());
 }
 
+/** A power of ten at an axis of residuals: 1e-06, also 1e-02. */
+export function power(value) {
+  return exponent(value.toExponential());
+}
+
 export function figure(value) {
   if (value === null || value === undefined) return "-";
   if (!Number.isFinite(value)) return String(value).replace("Infinity", "inf");

@@ -5,7 +5,7 @@ import * as Plot from "@observablehq/plot";
 import { chartSection, numbersTable } from "./chart_section.js";
 import { select } from "./dom.js";
 import { counts } from "./judge.js";
-import { duration, figure, logTicks, percent, tolerance } from "./numbers.js";
+import { duration, figure, logTicks, percent, power, tolerance } from "./numbers.js";
 import { ascending, quantile } from "./quantile.js";
 import { headHeight, placed, sheet, svg, text } from "./sheet.js";
 import { shapeOf } from "./shapes.js";
@@ -82,7 +82,7 @@ function drawPlane(points, front, selection, marks, width, height) {
     width, height, marginLeft: 62, marginBottom: 44, marginTop: 14, marginRight: 14,
     x: { type: "log", domain: domainX, label: null, ticks: logTicks(domainX),
          tickFormat: (ms) => duration(ms * 1e6) },
-    y: { type: "log", domain: domainY, label: null, ticks: 8, tickFormat: (r) => tolerance(r) },
+    y: { type: "log", domain: domainY, label: null, ticks: 8, tickFormat: power },
     marks: [
       Plot.gridX(logTicks(domainX), { stroke: "#e4e4e4", strokeOpacity: 1 }),
       Plot.gridY({ ticks: 8, stroke: "#e4e4e4", strokeOpacity: 1 }),
