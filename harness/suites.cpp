@@ -245,6 +245,16 @@ std::vector<Instance> generate(const Suite& suite) {
   return all;
 }
 
+std::optional<FamilyDraw> family_draw(const std::string& suite, const std::string& family) {
+  for (const Suite& each : suites()) {
+    if (each.name != suite) continue;
+    for (const SuitePart& part : each.parts)
+      if (part.scene.empty() && full_family_spelling(part.family) == family)
+        return FamilyDraw{family, drawn(part), suite_seed};
+  }
+  return std::nullopt;
+}
+
 std::string corpus_of(const std::string& instance) {
   return instance.substr(0, instance.find('/'));
 }

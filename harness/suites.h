@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -37,6 +38,17 @@ Index size(const Suite& suite);
 
 /// Generates the instances of a suite, all from seed 1, so that every run sees the same.
 std::vector<Instance> generate(const Suite& suite);
+
+/// How a suite draws one of its families.
+struct FamilyDraw {
+  std::string family;  ///< Full spelling.
+  Index count = 1;     ///< Before instances are thinned.
+  std::uint64_t seed = 1;
+};
+
+/// How a suite draws the family with this full spelling. Empty where it holds no such family (its
+/// frames of scenes come from none), and where the suite itself is unknown: one of an older program.
+std::optional<FamilyDraw> family_draw(const std::string& suite, const std::string& family);
 
 /// The first and every `every`-th after it of each corpus of `instances`, at most `limit` (0: all)
 /// of each, in their order.

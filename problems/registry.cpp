@@ -36,6 +36,14 @@ void FamilyRegistration::add(FamilyRow row) {
 
 const std::vector<FamilyRow>& families() { return rows(); }
 
+std::string full_family_spelling(const std::string& text) {
+  const Spelling spelling = parse_spelling(text);
+  const FamilyRow& row = find_family(spelling.name);
+  const std::unique_ptr<Family> family = row.make();
+  apply(family->options(), spelling, row.info.name);
+  return full_spelling(row.info.name, family->options(), row.make()->options());
+}
+
 std::vector<Instance> generate(const std::string& text, Draw draw) {
   const Spelling spelling = parse_spelling(text);
   const FamilyRow& row = find_family(spelling.name);

@@ -44,6 +44,11 @@ struct FamilyRow {
 /// All families, sorted by name.
 const std::vector<FamilyRow>& families();
 
+/// `name:key=value,...` with the knobs that differ from their defaults alone, in their order: what
+/// the names of the family's instances begin with. Throws std::invalid_argument with the list of what
+/// is allowed.
+std::string full_family_spelling(const std::string& text);
+
 /// Draws instances of `name:key=value,...`; `draw.count` 0 means the family's default. Names are
 /// `name:key=value,.../0000`..., with the knobs that differ from their defaults; provenance holds
 /// family (full spelling) and seed. Throws

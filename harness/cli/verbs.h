@@ -34,6 +34,7 @@ Verb add_info(CLI::App& program);
 Verb add_list(CLI::App& program);
 Verb add_merge(CLI::App& program);
 Verb add_paper(CLI::App& program);
+Verb add_report(CLI::App& program);
 Verb add_run(CLI::App& program);
 Verb add_sheet(CLI::App& program);
 Verb add_simulate(CLI::App& program);

@@ -70,16 +70,6 @@ json read_environment(const fs::path& file) {
   return environment;
 }
 
-std::vector<json> read_environments(const fs::path& directory) {
-  std::vector<json> environments{read_environment(directory / "env.json")};
-  std::vector<fs::path> others;
-  for (const fs::directory_entry& entry : fs::directory_iterator(directory))
-    if (entry.path().filename().string().starts_with("env-")) others.push_back(entry.path());
-  std::sort(others.begin(), others.end());
-  for (const fs::path& file : others) environments.push_back(read_environment(file));
-  return environments;
-}
-
 void write_json(const fs::path& file, const json& object) {
   replace_file(file.string(), object.dump(1) + "\n");
 }
@@ -192,6 +182,16 @@ std::set<PairKey> pairs_done(const fs::path& directory) {
   if (!fs::exists(directory / "rows.jsonl")) return keys;
   for (const Record& record : read_rows(directory)) keys.insert(key_of(record));
   return keys;
+}
+
+std::vector<json> read_environments(const fs::path& directory) {
+  std::vector<json> environments{read_environment(directory / "env.json")};
+  std::vector<fs::path> others;
+  for (const fs::directory_entry& entry : fs::directory_iterator(directory))
+    if (entry.path().filename().string().starts_with("env-")) others.push_back(entry.path());
+  std::sort(others.begin(), others.end());
+  for (const fs::path& file : others) environments.push_back(read_environment(file));
+  return environments;
 }
 
 RunHeader read_run_header(const fs::path& directory) {

@@ -49,6 +49,10 @@ RunReport run_into(const std::filesystem::path& directory, RunPlan plan, const O
 /// Throws UnreadableInput where rows are malformed.
 std::set<PairKey> pairs_done(const std::filesystem::path& directory);
 
+/// Descriptions of what a run ran on: env.json, then env-*.json by name. Throws UnreadableInput,
+/// naming the file, where one is malformed or env.json is missing.
+std::vector<nlohmann::json> read_environments(const std::filesystem::path& directory);
+
 /// What a run directory says of its rows.
 struct RunHeader {
   RunSettings settings;

@@ -10,4 +10,7 @@ std::string csv_quoted(const std::string& value);
 /// Text with LaTeX's special characters escaped.
 std::string latex_escaped(const std::string& text);
 
+/// Text as it stands in HTML, between tags or in a quoted attribute.
+std::string html_escaped(const std::string& text);
+
 }  // namespace lcp

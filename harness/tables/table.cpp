@@ -163,6 +163,24 @@ std::string option_text(const nlohmann::json& value) {
 
 }  // namespace
 
+std::string column_name(Verdict verdict) {
+  switch (column_of(verdict)) {
+    case Column::success:
+      return "success";
+    case Column::no_solution:
+      return "no_solution";
+    case Column::cycle:
+      return "cycle";
+    case Column::error:
+      return "error";
+    case Column::unsupported:
+      return "unsupported";
+    case Column::not_run:
+      return "not_run";
+  }
+  throw std::logic_error("column without a name");
+}
+
 Verdict rejudge(const Record& record, double tolerance) {
   if (record.claim != Claim::solved || !record.accuracy) return record.verdict;
   const double residual = record.accuracy->residual;

@@ -85,6 +85,23 @@ enum class TableFormat { text, csv, json, latex };
 /// solver, for plain LaTeX.
 std::string render(const Table& table, TableFormat format);
 
+/// A quantity of a table for a reader.
+struct TableColumn {
+  std::string key;      ///< In CSV and JSON.
+  std::string heading;  ///< In a terminal.
+  std::string meaning;
+  std::string number;  ///< Format of a value (fmt); 0 is always printed as 0.
+  bool always;         ///< Shown even where it is 0 in every row.
+  bool of_starts;      ///< Shown only where rows start differently.
+};
+
+/// The quantities of a solver in their order, as `text` explains them below its blocks.
+std::vector<TableColumn> table_columns();
+
+/// The paper's column that a verdict counts in: success, no_solution, cycle, error, unsupported,
+/// not_run.
+std::string column_name(Verdict verdict);
+
 /// What a reader calls each solver among `records`, by full spelling: the spelling, with the options
 /// in which several settings of one registry row differ written out where they have their default,
 /// all in alphabetical order.

@@ -218,7 +218,7 @@ nlohmann::ordered_json to_json(const TableRow& row, const Table& table) {
   return json;
 }
 
-std::string json(const Table& table) {
+std::string json_text(const Table& table) {
   nlohmann::ordered_json json;
   json["rows"] = nlohmann::ordered_json::array();
   for (const TableRow& row : table.rows) json["rows"].push_back(to_json(row, table));
@@ -280,6 +280,14 @@ std::string latex(const Table& table) {
 
 }  // namespace
 
+std::vector<TableColumn> table_columns() {
+  std::vector<TableColumn> columns;
+  for (const Quantity& quantity : solver_quantities())
+    columns.push_back({quantity.key, quantity.heading, quantity.meaning, quantity.number,
+                       quantity.always, quantity.of_starts});
+  return columns;
+}
+
 std::string render(const Table& table, TableFormat format) {
   switch (format) {
     case TableFormat::text:
@@ -287,7 +295,7 @@ std::string render(const Table& table, TableFormat format) {
     case TableFormat::csv:
       return csv(table);
     case TableFormat::json:
-      return json(table);
+      return json_text(table);
     case TableFormat::latex:
       return latex(table);
   }
