@@ -109,6 +109,7 @@ Verb add_replay(CLI::App& program) {
       "The rules of lemke* and lexicographic* are followed in 113 bits (__float128), where M and q "
       "are\n"
       "exact; the pivots of best-first* are checked one by one from the same basis.\n"
+      "Marks: > the first wrong pivot, 0 the first that is none in 113 bits.\n"
       "Example:\n  lcpbench replay squat.hdf5#squat-like/0009 --solver lemke\n"
       "  lcpbench replay squat.hdf5#squat-like/0009 --solver lexicographic:delta=1e-6 --all");
   return {page, [arguments] { return replay_instance(*arguments); }};

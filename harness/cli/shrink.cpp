@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <memory>
 #include <optional>
+#include <stdexcept>
 
 #include "harness/cli/interrupt.h"
 #include "harness/cli/quantity.h"
@@ -26,17 +27,30 @@ struct ShrinkArguments {
   std::string keep = "verdict";
   bool solvable = true;
   std::string reference = "best-first";
+  bool by_rounding = false;
   double tolerance = 1e-6;
   std::string timeout = "10s", memory = "2GiB";
   Index max_solves = 20000;
   std::string out;
 };
 
+std::optional<PathRule> rule_to_keep(const ShrinkArguments& arguments) {
+  if (!arguments.by_rounding) return std::nullopt;
+  const std::optional<PathRule> rule = path_rule(make_solver(arguments.solver));
+  if (!rule)
+    throw std::invalid_argument(fmt::format(
+        "--by-rounding: the rule of '{}' is not known in 113 bits, expected lemke, lemke-revised, "
+        "lexicographic, lexicographic-pivot or lexicographic-revised",
+        arguments.solver));
+  return rule;
+}
+
 Invariant invariant_of(const ShrinkArguments& arguments) {
   return {.solver = make_solver(arguments.solver),
           .keep = arguments.keep == "failure" ? Invariant::Keep::failure : Invariant::Keep::verdict,
           .solvable = arguments.solvable,
           .reference = make_solver(arguments.reference),
+          .by_rounding = rule_to_keep(arguments),
           .tolerance = arguments.tolerance};
 }
 
@@ -112,6 +126,8 @@ Verb add_shrink(CLI::App& program) {
   page->add_option("--reference", arguments->reference,
                    "NAME[:key=value,...] that shows what is left to have a solution")
       ->capture_default_str();
+  page->add_flag("--by-rounding", arguments->by_rounding,
+                 "Only what the same rule solves in 113 bits (lemke*, lexicographic*)");
   page->add_option("--tolerance", arguments->tolerance,
                    "Largest natural residual (scaled) that counts as solved")
       ->check(CLI::PositiveNumber)
@@ -133,7 +149,7 @@ Verb add_shrink(CLI::App& program) {
       "candidate\n"
       "solved in a process of its own, started cold. Same input, same name and content.\n"
       "Example:\n"
-      "  lcpbench shrink squat.hdf5#squat-like/0009 --solver lemke --out small.hdf5\n"
+      "  lcpbench shrink squat.hdf5#squat-like/0009 --solver lemke --by-rounding --out small.hdf5\n"
       "  lcpbench shrink frame.hdf5 --solver dart-lemke --keep failure --out small.hdf5");
   return {page, [arguments] { return shrink_instance(*arguments); }};
 }

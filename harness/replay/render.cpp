@@ -64,8 +64,7 @@ std::string fault(const Departure& departure) {
       return fmt::format("whose ratio, {:.6g} in 113 bits, is not the least",
                          rounded(departure.ratio));
     case Why::lost_tie:
-      return fmt::format("tied (ratio {:.4g}, pivot {:.4g} in 113 bits) but not the one to take",
-                         rounded(departure.ratio), rounded(departure.size));
+      return "which is tied in 113 bits but not the row to take";
     case Why::infeasible:
       return fmt::format("which leaves min q' = {:.4g} in 113 bits", rounded(departure.q_min));
     case Why::singular_basis:
@@ -91,20 +90,32 @@ std::string of_a_path(const Replay& replay, Index n) {
                      of_the_rule(replay, n));
 }
 
-std::string of_a_search(const Replay& replay, Index n) {
-  const Departure& departure = *replay.departure;
+/// A pivot judged by itself.
+std::string of_one_pivot(const Replay& replay, const Departure& departure, Index n) {
   const PivotEvent& taken = replay.steps[departure.pivot - 1].event;
   return fmt::format("number {}: {} enters and takes row {} ({} leaves) with pivot {:.3g}, {}",
                      departure.pivot, name_in(replay, taken.entering, n), row_in(replay, taken.row),
                      name_in(replay, taken.leaving, n), taken.pivot, fault(departure));
 }
 
+/// Empty where the first wrong pivot is the one.
+std::string of_the_first_none(const Replay& replay, Index n) {
+  if (!replay.first_none || replay.first_none->pivot == replay.departure->pivot) return "";
+  return "first pivot that is none: " + of_one_pivot(replay, *replay.first_none, n);
+}
+
+std::string end_of_path(const HighPath& path) {
+  if (path.cut_short) return "stopped";
+  return path.claim == Claim::singular ? "basis singular to 113 bits" : to_string(path.claim);
+}
+
 std::string comparison(const Replay& replay) {
   switch (replay.comparison) {
     case Beside::path:
-      return fmt::format("the same rule in 113 bits: {} after {} pivots, residual {:.2e}",
-                         replay.path.cut_short ? "stopped" : to_string(replay.path.claim),
-                         replay.path.pivots.size(), replay.path_residual);
+      return fmt::format(
+          "the same rule in 113 bits: {} after {} pivots{}", end_of_path(replay.path),
+          replay.path.pivots.size(),
+          replay.path.z.size() > 0 ? fmt::format(", residual {:.2e}", replay.path_residual) : "");
     case Beside::search:
       return fmt::format(
           "compared: whether each pivot is one the search may take (m' < -pivot, then min q' > "
@@ -131,14 +142,20 @@ bool departs_at(const Replay& replay, std::size_t k) {
   return replay.departure && replay.departure->pivot == static_cast<Index>(k) + 1;
 }
 
+/// > the first wrong pivot, 0 the first that is none.
+const char* mark(const Replay& replay, std::size_t k) {
+  if (departs_at(replay, k)) return "> ";
+  return replay.first_none && replay.first_none->pivot == static_cast<Index>(k) + 1 ? "0 " : indent;
+}
+
 std::string left_part(const Replay& replay, std::size_t k, Index n) {
   if (k >= replay.steps.size()) return fmt::format("{:<57}", "");
   const Trace::Step& step = replay.steps[k];
   const PivotEvent& event = step.event;
-  return fmt::format(
-      "{}{:>5} {:>6} {:>6} {:>10.4g} {:>4} {:>10.4g} {:>8}", departs_at(replay, k) ? "> " : indent,
-      k + 1, name_in(replay, event.entering, n), name_in(replay, event.leaving, n), event.ratio,
-      event.tied, event.pivot, step.condition ? fmt::format("{:.2g}", *step.condition) : "-");
+  return fmt::format("{}{:>5} {:>6} {:>6} {:>10.4g} {:>4} {:>10.4g} {:>8}", mark(replay, k), k + 1,
+                     name_in(replay, event.entering, n), name_in(replay, event.leaving, n),
+                     event.ratio, event.tied, event.pivot,
+                     step.condition ? fmt::format("{:.2g}", *step.condition) : "-");
 }
 
 std::string right_part(const Replay& replay, std::size_t k, Index n) {
@@ -178,15 +195,14 @@ const char* word(Departure::Why why) {
   return words[static_cast<int>(why)];
 }
 
-Json departure_json(const Replay& replay, Index n) {
-  if (!replay.departure) return nullptr;
-  const Departure& departure = *replay.departure;
+Json departure_json(const Replay& replay, const std::optional<Departure>& found, Index n) {
+  if (!found) return nullptr;
+  const Departure& departure = *found;
   Json out = {{"pivot", departure.pivot},
               {"why", word(departure.why)},
               {"entering", name_in(replay, departure.entering, n)},
               {"row", nullptr},
-              {"rule_row", nullptr},
-              {"sentence", sentence(replay, n)}};
+              {"rule_row", nullptr}};
   if (departure.row >= 0) {
     out["row"] = row_in(replay, departure.row);
     out["pivot_in_113_bits"] = number(rounded(departure.size));
@@ -229,8 +245,9 @@ Json pivots_json(const Replay& replay, Index n) {
 
 std::string sentence(const Replay& replay, Index n) {
   if (replay.departure)
-    return "first wrong pivot: " +
-           (replay.comparison == Beside::path ? of_a_path(replay, n) : of_a_search(replay, n));
+    return "first wrong pivot: " + (replay.comparison == Beside::path
+                                        ? of_a_path(replay, n)
+                                        : of_one_pivot(replay, *replay.departure, n));
   if (replay.comparison == Beside::search)
     return fmt::format("no wrong pivot among the {} looked at", replay.checked);
   return replay.path.cut_short
@@ -252,6 +269,8 @@ std::string text(const Replay& replay, const std::string& title, Index n) {
                               replay.islands, replay.rows.size()));
   out += folded(comparison(replay));
   if (replay.comparison != Beside::none) out += folded(sentence(replay, n));
+  const std::string none = of_the_first_none(replay, n);
+  if (!none.empty()) out += folded(none);
   if (replay.steps.empty() && replay.path.pivots.empty()) return out;
   out += header(replay);
   for (std::size_t k = replay.begin; k < shown_end(replay); ++k)
@@ -277,7 +296,9 @@ Json json(const Replay& replay, Index n) {
                           {"pivots", replay.path.pivots.size()},
                           {"residual", number(replay.path_residual)}};
   if (replay.comparison == Beside::search) out["checked"] = replay.checked;
-  out["departure"] = departure_json(replay, n);
+  out["sentence"] = replay.comparison == Beside::none ? "" : sentence(replay, n);
+  out["departure"] = departure_json(replay, replay.departure, n);
+  out["first_none"] = departure_json(replay, replay.first_none, n);
   out["shown"] = pivots_json(replay, n);
   return out;
 }

@@ -1,6 +1,7 @@
 #include "harness/replay/replay.h"
 
 #include <algorithm>
+#include <limits>
 
 #include "harness/replay/search_check.h"
 #include "problems/contact/friction_lcp.h"
@@ -123,12 +124,24 @@ std::optional<Departure> first_departure(const Problem& problem, const PathRule&
   return departure;
 }
 
+/// Before the departure every pivot is the rule's, and so one; that q' stays feasible is not asked.
+std::optional<Departure> first_none(const Problem& problem, const PathRule& rule,
+                                    const IslandRun& run, const HighLimits& limits) {
+  const SearchRule any_feasibility{
+      .epsilon = std::numeric_limits<double>::infinity(), .pivot = rule.pivot, .scale = rule.scale};
+  const std::vector<Labels> before = labels_before(run.steps, problem.size(), run.alpha,
+                                                   static_cast<std::size_t>(limits.most_pivots));
+  std::size_t checked = 0;
+  return check_search(problem, any_feasibility, run.alpha, run.steps, before, limits, checked);
+}
+
 void compare(const NamedSolver& solver, const Problem& problem, const IslandRun& run,
              const ReplayOptions& options, Replay& replay) {
   if (const std::optional<PathRule> rule = path_rule(solver)) {
     replay.comparison = Beside::path;
     replay.path = follow_high_path(problem, *rule, run.alpha, options.high);
     replay.departure = first_departure(problem, *rule, run, replay.path, options.high.zero);
+    if (replay.departure) replay.first_none = first_none(problem, *rule, run, options.high);
     Result answer;
     answer.z = replay.path.z;
     replay.path_residual = measure(problem, answer).residual;

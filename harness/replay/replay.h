@@ -58,6 +58,9 @@ struct Replay {
   std::vector<Trace::Step> steps;  ///< Every pivot, in the numbering of the island.
   std::size_t begin = 0, end = 0;  ///< Those to be shown.
   std::optional<Departure> departure;
+  /// Of Beside::path, from the departure on: the first pivot of the run that is none in 113 bits, from
+  /// the run's own basis; looked for among the first HighLimits::most_pivots.
+  std::optional<Departure> first_none;
 
   HighPath path;             ///< Of Beside::path.
   double path_residual = 0;  ///< Natural residual of its z, on the island.

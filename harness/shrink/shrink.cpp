@@ -111,6 +111,11 @@ Fared begin(const Instance& parent, const Invariant& invariant, Trials& trials) 
   fared.solver = trials.run(invariant.solver, parent.problem);
   if (fared.solver.verdict == Verdict::not_run) return fared;  // interrupted
   require_failure(parent, invariant, fared.solver);
+  if (!trials.rule_solves(parent.problem) && !trials.interrupted())
+    throw std::invalid_argument(
+        fmt::format("{}: the rule of {} does not solve it in 113 bits either, so that rounding is "
+                    "not what fails (see lcpbench replay): expected --by-rounding no more",
+                    parent.name, invariant.solver.spelling));
   if (!invariant.solvable) return fared;
   fared.reference = trials.run(invariant.reference, parent.problem);
   if (!fared.reference.solved() && fared.reference.verdict != Verdict::not_run)
@@ -132,6 +137,7 @@ Instance named(const Instance& parent, const Invariant& invariant, const Trial& 
        {"verdict", to_string(after.verdict)},
        {"keep", any ? "failure" : "verdict"},
        {"reference", invariant.solvable ? invariant.reference.spelling : "none asked for"},
+       {"by_rounding", invariant.by_rounding ? "asked for" : "not asked for"},
        {"tolerance", shortest(invariant.tolerance)},
        {"taken_away", spelled(reductions)}});
   instance.name = fmt::format("shrunk/{}-{}-{}", invariant.solver.info.name,

@@ -37,10 +37,11 @@ struct ShrinkOptions {
 /// a verdict depends on the clock (timeout, memory).
 ///
 /// The result is named shrunk/SOLVER-VERDICT-HASH after the first 8 digits of its sha256. Provenance:
-/// parent, parent_sha256, solver, verdict, keep, reference, tolerance, taken_away.
+/// parent, parent_sha256, solver, verdict, keep, reference, by_rounding, tolerance,
+/// taken_away.
 ///
 /// Throws std::invalid_argument where the solver does not fail on `parent`, or, if the invariant asks
-/// for it, the reference does not solve it or z = 0 does. After an interruption: the smallest found.
+/// for it, the reference does not solve it, z = 0 does, or the rule fails in 113 bits too. After an interruption: the smallest found.
 Shrunk shrink(const Instance& parent, const Invariant& invariant, const ShrinkOptions& options,
               const std::atomic<bool>& interrupted);
 

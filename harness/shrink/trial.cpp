@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "harness/measure/solve.h"
+#include "harness/replay/high_path.h"
 #include "problems/contact/islands.h"
 #include "solvers/peers/outside_call.h"
 
@@ -81,8 +82,22 @@ Fared Trials::try_out(const Problem& problem) {
   if (!fares_alike(fared.solver)) return fared;
   if (invariant_.solvable && !fared.solver.trivial)
     fared.reference = run(invariant_.reference, problem);
-  fared.keeps = !invariant_.solvable || fared.reference.solved();
+  fared.keeps = (!invariant_.solvable || fared.reference.solved()) && rule_solves(problem);
   return fared;
+}
+
+bool Trials::rule_solves(const Problem& problem) const {
+  if (!invariant_.by_rounding) return true;
+  HighLimits limits;
+  limits.interrupted = &interrupted_;
+  for (const Island& island : split_islands(problem)) {
+    const HighPath path = follow_high_path(island.problem, *invariant_.by_rounding, {}, limits);
+    if (path.claim != Claim::solved) return false;
+    Result answer;
+    answer.z = path.z;
+    if (!(measure(island.problem, answer).residual <= invariant_.tolerance)) return false;
+  }
+  return true;
 }
 
 void Trials::begin_with(const Problem& problem, const Fared& fared) {

@@ -3,10 +3,12 @@
 #include <atomic>
 #include <functional>
 #include <map>
+#include <optional>
 #include <string>
 
 #include "harness/judge.h"
 #include "harness/measure/worker.h"
+#include "harness/replay/high_rule.h"
 #include "problems/instance.h"
 #include "solvers/registry.h"
 
@@ -34,6 +36,9 @@ struct Invariant {
   Keep keep = Keep::verdict;
   bool solvable = true;  ///< `reference` solves it, and z = 0 does not.
   NamedSolver reference;
+  /// The solver's own rule solves it in 113 bits (harness/replay/high_path.h), so that the failure is
+  /// that of rounding.
+  std::optional<PathRule> by_rounding = {};
   double tolerance = 1e-6;  ///< Of the judge.
 };
 
@@ -64,7 +69,11 @@ class Trials {
   /// How a problem fared that was begun with or keeps the invariant.
   const Fared& fared(const Problem& problem) const { return known_.at(content_hash(problem)); }
 
+  /// Whether the rule of Invariant::by_rounding, if any, solves the problem in 113 bits.
+  bool rule_solves(const Problem& problem) const;
+
   bool stopped() const { return stopped_; }
+  bool interrupted() const { return interrupted_; }
   Index solves() const { return solves_; }
 
  private:

@@ -65,6 +65,9 @@ TEST_F(ShrinkCli, SaysInOneLineWhatItCannotDo) {
   expect_complaint({"shrink", frame, "--solver", "best-first", "--out", "x.hdf5"}, 2,
                    "nothing fails");
   expect_complaint({"shrink", frame, "--solver", "nosuch", "--out", "x.hdf5"}, 2, "'nosuch'");
+  expect_complaint(
+      {"shrink", frame, "--solver", "best-first-tableau", "--by-rounding", "--out", "x.hdf5"}, 2,
+      "lexicographic-revised");
   expect_complaint({"shrink", "three.hdf5", "--solver", "lemke", "--out", "x.hdf5"}, 2,
                    "holds 3 instances");
   expect_complaint({"shrink", frame, "--solver", "lemke", "--keep", "most", "--out", "x.hdf5"}, 2,

@@ -5,6 +5,7 @@
 #include <atomic>
 #include <stdexcept>
 
+#include "harness/replay/high_path.h"
 #include "harness/shrink/parts.h"
 #include "problems/registry.h"
 #include "tests/harness/replay/rounded_zero.h"
@@ -87,6 +88,26 @@ TEST(Shrink, TakesContactsFirst) {
   EXPECT_EQ(shrunk.reductions[1].what, "contacts");
   EXPECT_EQ(shrunk.reductions[1].from, 8);
   EXPECT_LT(shrunk.reductions[1].to, 8);
+}
+
+TEST(Shrink, CanKeepToWhatRoundingSpoils) {
+  Invariant about = invariant("lemke");
+  about.by_rounding = path_rule(about.solver);
+  const Shrunk shrunk = shrink(buried(), about, {}, never);
+  EXPECT_TRUE(is_failure(shrunk.after));
+  const HighPath path =
+      follow_high_path(shrunk.instance.problem, *about.by_rounding, {}, HighLimits());
+  EXPECT_EQ(path.claim, Claim::solved);
+}
+
+TEST(Shrink, RefusesAFailureThatIsNotRoundings) {
+  // z0 = 1 in row 1, then z_1 with column (1): nothing blocks.
+  const Instance ray =
+      make_instance("ray", plain_problem(MatrixXd{{-1, 0}, {0, 1}}, VectorXd{{-1, -1}}), {});
+  Invariant about = invariant("lemke");
+  about.solvable = false;
+  about.by_rounding = path_rule(about.solver);
+  expect_complaint(ray, about, "does not solve it in 113 bits either");
 }
 
 TEST(Shrink, ACrashOfTheSolverIsAVerdictLikeAnother) {

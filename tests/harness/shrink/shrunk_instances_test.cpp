@@ -7,7 +7,6 @@
 #include <algorithm>
 #include <atomic>
 #include <filesystem>
-#include <set>
 
 #include "harness/judge.h"
 #include "harness/measure/solve.h"
@@ -34,6 +33,33 @@ Verdict verdict_of(const NamedSolver& solver, const Instance& instance) {
   return judge(instance, solve_instance(*solver.solver, instance), 1e-6).verdict;
 }
 
+std::string family_of(const Instance& instance) {
+  const std::string& parent = instance.provenance.at("parent");
+  return parent.substr(0, parent.find('/'));
+}
+
+template <class Test>
+std::vector<Instance> stored_if(const Test& test) {
+  std::vector<Instance> some;
+  for (const Instance& instance : stored())
+    if (test(instance)) some.push_back(instance);
+  return some;
+}
+
+/// Those whose parents a family draws anew; the others' are frames of scenes.
+std::vector<Instance> drawn() {
+  return stored_if([](const Instance& instance) {
+    return family_of(instance) == "squat-like" || family_of(instance) == "stack";
+  });
+}
+
+/// Those shrunk with --by-rounding.
+std::vector<Instance> spoilt() {
+  return stored_if([](const Instance& instance) {
+    return instance.provenance.at("by_rounding") == "asked for";
+  });
+}
+
 class ShrunkInstance : public testing::TestWithParam<Instance> {};
 
 TEST_P(ShrunkInstance, StillFailsWithTheSameVerdict) {
@@ -53,6 +79,36 @@ TEST_P(ShrunkInstance, IsNamedAfterItsContent) {
   EXPECT_EQ(GetParam().name,
             fmt::format("shrunk/{}-{}-{}", parse_spelling(GetParam().provenance.at("solver")).name,
                         GetParam().provenance.at("verdict"), GetParam().sha256.substr(0, 8)));
+}
+
+class DrawnShrunkInstance : public ShrunkInstance {};
+
+TEST_P(DrawnShrunkInstance, IsWhatShrinkingItsParentGives) {
+  const std::map<std::string, std::string>& told = GetParam().provenance;
+  const std::string family = family_of(GetParam());
+  const Index number = std::stoi(told.at("parent").substr(family.size() + 1));
+  const Instance parent = generate(family, {.count = number + 1, .seed = 1}).back();
+  ASSERT_EQ(parent.sha256, told.at("parent_sha256"));
+
+  Invariant invariant{.solver = make_solver(told.at("solver")),
+                      .reference = make_solver(told.at("reference")),
+                      .tolerance = std::stod(told.at("tolerance"))};
+  if (told.at("by_rounding") == "asked for") invariant.by_rounding = path_rule(invariant.solver);
+  const std::atomic<bool> never = false;
+  const Instance again = shrink(parent, invariant, {}, never).instance;
+  EXPECT_EQ(again.name, GetParam().name);
+  EXPECT_EQ(again.sha256, GetParam().sha256);
+  EXPECT_EQ(again.provenance, told);
+}
+
+class SpoiltInstance : public ShrunkInstance {};
+
+TEST_P(SpoiltInstance, LeavesThePathOfItsRuleWhich113BitsFollowToASolution) {
+  const Replay shown = replay(make_solver(GetParam().provenance.at("solver")), GetParam(),
+                              StartKind::cold, ReplayOptions());
+  EXPECT_TRUE(shown.departure);
+  EXPECT_EQ(shown.path.claim, Claim::solved);
+  EXPECT_LT(shown.path_residual, 1e-12);
 }
 
 /// Of the rows that shrinking took away none could come back and go: without any one row that is left,
@@ -81,6 +137,8 @@ std::string name_of(const testing::TestParamInfo<Instance>& instance) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Stored, ShrunkInstance, testing::ValuesIn(stored()), name_of);
+INSTANTIATE_TEST_SUITE_P(Stored, DrawnShrunkInstance, testing::ValuesIn(drawn()), name_of);
+INSTANTIATE_TEST_SUITE_P(Stored, SpoiltInstance, testing::ValuesIn(spoilt()), name_of);
 
 }  // namespace
 
