@@ -104,16 +104,17 @@ std::string of_the_first_none(const Replay& replay, Index n) {
   return "first pivot that is none: " + of_one_pivot(replay, *replay.first_none, n);
 }
 
-std::string end_of_path(const HighPath& path) {
-  if (path.cut_short) return "stopped";
-  return path.claim == Claim::singular ? "basis singular to 113 bits" : to_string(path.claim);
+std::string end_of_path(const Replay& replay) {
+  if (replay.path.cut_short) return "stopped";
+  if (replay.path.claim == Claim::singular) return "basis singular to 113 bits";
+  return to_string(replay.path_verdict);
 }
 
 std::string comparison(const Replay& replay) {
   switch (replay.comparison) {
     case Beside::path:
       return fmt::format(
-          "the same rule in 113 bits: {} after {} pivots{}", end_of_path(replay.path),
+          "the same rule in 113 bits: {} after {} pivots{}", end_of_path(replay),
           replay.path.pivots.size(),
           replay.path.z.size() > 0 ? fmt::format(", residual {:.2e}", replay.path_residual) : "");
     case Beside::search:
@@ -292,6 +293,7 @@ Json json(const Replay& replay, Index n) {
   if (replay.basis_residual) out["basis_residual"] = number(*replay.basis_residual);
   if (replay.comparison == Beside::path)
     out["in_113_bits"] = {{"claim", to_string(replay.path.claim)},
+                          {"verdict", to_string(replay.path_verdict)},
                           {"cut_short", replay.path.cut_short},
                           {"pivots", replay.path.pivots.size()},
                           {"residual", number(replay.path_residual)}};

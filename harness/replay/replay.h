@@ -62,9 +62,10 @@ struct Replay {
   /// the run's own basis; looked for among the first HighLimits::most_pivots.
   std::optional<Departure> first_none;
 
-  HighPath path;             ///< Of Beside::path.
-  double path_residual = 0;  ///< Natural residual of its z, on the island.
-  std::size_t checked = 0;   ///< Of Beside::search: pivots checked, in order.
+  HighPath path;                            ///< Of Beside::path.
+  double path_residual = 0;                 ///< Natural residual of its z, on the island.
+  Verdict path_verdict = Verdict::not_run;  ///< `wrong` where that is too large for `solved`.
+  std::size_t checked = 0;                  ///< Of Beside::search: pivots checked, in order.
 };
 
 /// Solves the instance and compares; see Replay. The costs are those of HighDictionary, once for each

@@ -174,6 +174,19 @@ TEST(Replay, SolvesTheClaimedBasisInHighPrecision) {
             std::nullopt);
 }
 
+/// z0 = 1 enters for w_1, then z_1: row 2 blocks at 0.1, but z0, at 1, is within 1 of that and is taken,
+/// which leaves w_2 = -0.9. Exact arithmetic does the same.
+TEST(Replay, TellsAWrongAnswerOfTheRuleFromOneOfRounding) {
+  const Instance instance =
+      make_instance("early", plain_problem(MatrixXd::Identity(2, 2), VectorXd{{-1, -0.9}}), {});
+  const Replay shown = replay_of(instance, "lexicographic:delta=0,z0=1");
+  EXPECT_EQ(shown.judgement.verdict, Verdict::wrong);
+  EXPECT_EQ(shown.path.claim, Claim::solved);
+  EXPECT_EQ(shown.path_verdict, Verdict::wrong);
+  EXPECT_DOUBLE_EQ(shown.path_residual, 0.9);
+  EXPECT_FALSE(shown.departure);
+}
+
 TEST(Replay, StopsWhereItIsToldAndSaysSo) {
   ReplayOptions options;
   options.high.most_pivots = 2;
