@@ -12,9 +12,7 @@ namespace {
 class ShrinkCli : public testing::Test {
  protected:
   void SetUp() override {
-    ASSERT_EQ(
-        run({"generate", "squat-like:contacts=8", "--count", "3", "--out", "three.hdf5"}).status,
-        0);
+    ASSERT_EQ(run({"generate", "squat-like", "--count", "3", "--out", "three.hdf5"}).status, 0);
   }
   Ran run(const std::vector<std::string>& arguments) {
     return run_program(LCPBENCH, arguments, directory_.path());
