@@ -8,17 +8,13 @@
 #include <limits>
 #include <stdexcept>
 
+#include "harness/quad.h"
+
 namespace lcp {
 
 namespace {
 
-/// 113 bits hold the product of two doubles exactly, so that only the sums of M z + q round.
-using Quad = __float128;
-using Quads = std::vector<Quad>;
-
 constexpr double infinity = std::numeric_limits<double>::infinity();
-
-Quad magnitude(Quad x) { return x < 0 ? -x : x; }
 
 /// Raises `largest` to x; a NaN stays, so that what is compared with it later fails.
 void raise(Quad& largest, Quad x) {

@@ -7,7 +7,6 @@
 
 #include "problems/singular_values.h"
 
-
 namespace lcp {
 
 std::string variable_name(int variable, Index n) {
@@ -21,7 +20,8 @@ Trace::Trace(const Problem& problem, const Options& options)
 Observer Trace::observer() {
   return [this](const PivotEvent& event) {
     Step step{event, {}};
-    if (event.basic && scaled_.size() <= options_.largest_condition)
+    const bool asked = options_.first <= steps_.size() && steps_.size() < options_.last;
+    if (event.basic && asked && scaled_.size() <= options_.largest_condition)
       step.condition = condition(*event.basic);
     step.event.basic = nullptr;  // lives in the solver
     steps_.push_back(step);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <limits>
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
@@ -17,6 +18,8 @@ class Trace {
  public:
   struct Options {
     Index largest_condition = 200;  ///< Rows above which no condition is computed: it costs n^3.
+    /// Only steps first ... last - 1, counted from 0, have a condition.
+    std::size_t first = 0, last = std::numeric_limits<std::size_t>::max();
   };
   struct Step {
     PivotEvent event;  ///< Its `basic` is gone.

@@ -16,4 +16,7 @@ void add_reading_option(CLI::App& page, ReadOptions& reading);
 /// and named on stderr.
 std::vector<Instance> read_instances(const std::string& where, const ReadOptions& reading);
 
+/// The only instance at `where`; throws std::invalid_argument with their names where there are several.
+Instance read_instance(const std::string& where, const ReadOptions& reading);
+
 }  // namespace lcp::cli

@@ -52,21 +52,6 @@ std::vector<Push> pushes(const FrictionBlocks& blocks) {
   return columns;
 }
 
-void set_contact_scales(Problem& problem) {
-  const FrictionBlocks& blocks = *problem.friction;
-  double largest = 0, diagonal = 0;
-  for (Index i = 0; i < blocks.vbar.size(); ++i)
-    largest = std::max(largest, std::abs(blocks.vbar(i)));
-  for (Index i = 0; i < blocks.contacts(); ++i) diagonal += blocks.W(3 * i, 3 * i);
-  const double v_scale = largest > 0 ? largest : 1;
-  const double f_scale =
-      diagonal > 0 ? v_scale * static_cast<double>(blocks.contacts()) / diagonal : v_scale;
-  problem.s_z = VectorXd::Constant(problem.size(), f_scale);
-  problem.s_w = VectorXd::Constant(problem.size(), v_scale);
-  for (const Index row : blocks.cone_row)
-    if (row >= 0) std::swap(problem.s_z(row), problem.s_w(row));
-}
-
 Problem assemble(FrictionBlocks blocks) {
   const Index m = blocks.directions_per_contact;
   const std::vector<Push> columns = pushes(blocks);
@@ -100,6 +85,21 @@ Problem assemble(FrictionBlocks blocks) {
 }
 
 }  // namespace
+
+void set_contact_scales(Problem& problem) {
+  const FrictionBlocks& blocks = *problem.friction;
+  double largest = 0, diagonal = 0;
+  for (Index i = 0; i < blocks.vbar.size(); ++i)
+    largest = std::max(largest, std::abs(blocks.vbar(i)));
+  for (Index i = 0; i < blocks.contacts(); ++i) diagonal += blocks.W(3 * i, 3 * i);
+  const double v_scale = largest > 0 ? largest : 1;
+  const double f_scale =
+      diagonal > 0 ? v_scale * static_cast<double>(blocks.contacts()) / diagonal : v_scale;
+  problem.s_z = VectorXd::Constant(problem.size(), f_scale);
+  problem.s_w = VectorXd::Constant(problem.size(), v_scale);
+  for (const Index row : blocks.cone_row)
+    if (row >= 0) std::swap(problem.s_z(row), problem.s_w(row));
+}
 
 Problem friction_lcp(const ContactProblem& problem, const FrictionModel& model) {
   check(problem, "contact problem");

@@ -25,6 +25,9 @@ Problem friction_lcp(const ContactProblem& problem, const FrictionModel& model =
 /// n = Nc, with the scales and blocks of friction_lcp at mu = 0.
 Problem frictionless_lcp(const ContactProblem& problem);
 
+/// Sets s_z and s_w of an LCP (25) from its blocks, as friction_lcp does.
+void set_contact_scales(Problem& problem);
+
 /// True where some contact has mu_i > 0.
 bool has_friction(const Problem& problem);
 

@@ -84,6 +84,20 @@ void require_every_row_once(const std::vector<Island>& islands, Index n) {
 
 }  // namespace
 
+Island part_of_contacts(const Problem& problem, const std::vector<Index>& contacts) {
+  Island island;
+  island.rows = rows_of(*problem.friction, contacts);
+  const std::vector<Index>& rows = island.rows;
+  island.problem.M = problem.M(rows, rows);
+  island.problem.q = problem.q(rows);
+  island.problem.s_z = problem.s_z(rows);
+  island.problem.s_w = problem.s_w(rows);
+  if (problem.c.size() > 0) island.problem.c = problem.c(rows);
+  island.problem.pivot_limit = problem.pivot_limit;
+  island.problem.friction = take_blocks(*problem.friction, contacts, rows);
+  return island;
+}
+
 std::vector<Island> split_islands(const Problem& problem) {
   std::vector<Index> all(problem.size());
   std::iota(all.begin(), all.end(), Index{0});
@@ -92,19 +106,8 @@ std::vector<Island> split_islands(const Problem& problem) {
   if (groups.size() <= 1) return {{problem, all}};
 
   std::vector<Island> islands;
-  for (const std::vector<Index>& members : groups) {
-    Island island;
-    island.rows = rows_of(*problem.friction, members);
-    const std::vector<Index>& rows = island.rows;
-    island.problem.M = problem.M(rows, rows);
-    island.problem.q = problem.q(rows);
-    island.problem.s_z = problem.s_z(rows);
-    island.problem.s_w = problem.s_w(rows);
-    if (problem.c.size() > 0) island.problem.c = problem.c(rows);
-    island.problem.pivot_limit = problem.pivot_limit;
-    island.problem.friction = take_blocks(*problem.friction, members, rows);
-    islands.push_back(std::move(island));
-  }
+  for (const std::vector<Index>& members : groups)
+    islands.push_back(part_of_contacts(problem, members));
   require_every_row_once(islands, problem.size());
   return islands;
 }

@@ -12,6 +12,11 @@ struct Island {
   std::vector<Index> rows;  ///< Row k of `problem` is row rows[k] of the whole; ascending.
 };
 
+/// The LCP of some contacts of an LCP with friction blocks (ascending, at least one), without the
+/// others: their rows and columns of M, their parts of W and vbar. The contacts left out exert no
+/// force.
+Island part_of_contacts(const Problem& problem, const std::vector<Index>& contacts);
+
 /// Splits an LCP with friction blocks into sets of contacts that do not influence one another: the
 /// connected components of the graph whose edges are W's 3 x 3 blocks with a non-zero entry.
 /// Islands are ordered by their first contact, and each row belongs to exactly one. The solutions,

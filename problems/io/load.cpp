@@ -150,25 +150,25 @@ std::vector<Instance> load_instances(const std::string& where,
   }
 }
 
+void check_ending(const std::string& path) {
+  const Format format = format_of(path);
+  if (format == Format::siconos)
+    throw std::invalid_argument(fmt::format(
+        "{}: Siconos files are read only, expected one of .hdf5, .h5, .M.mtx, .json", path));
+  if (format == Format::unknown)
+    throw std::invalid_argument(
+        fmt::format("{}: unknown ending, expected one of {}", path, known_endings));
+}
+
 void save_instances(const std::string& path, const std::vector<Instance>& instances) {
-  switch (format_of(path)) {
-    case Format::corpus:
-      return write_corpus(path, instances);
-    case Format::matrix_market:
-      if (instances.size() != 1)
-        throw std::invalid_argument(fmt::format(
-            "{}: {} instances for one Matrix Market pair, expected 1", path, instances.size()));
-      return write_matrix_market(path, instances.front());
-    case Format::json:
-      return write_json(path, instances);
-    case Format::siconos:
-      throw std::invalid_argument(fmt::format(
-          "{}: Siconos files are read only, expected one of .hdf5, .h5, .M.mtx, .json", path));
-    case Format::unknown:
-      break;
-  }
-  throw std::invalid_argument(
-      fmt::format("{}: unknown ending, expected one of {}", path, known_endings));
+  check_ending(path);
+  const Format format = format_of(path);
+  if (format == Format::corpus) return write_corpus(path, instances);
+  if (format == Format::json) return write_json(path, instances);
+  if (instances.size() != 1)
+    throw std::invalid_argument(fmt::format(
+        "{}: {} instances for one Matrix Market pair, expected 1", path, instances.size()));
+  write_matrix_market(path, instances.front());
 }
 
 }  // namespace lcp

@@ -33,6 +33,10 @@ std::vector<Instance> load_instances(const std::string& where,
                                      const std::function<void(const std::string&)>& skipped = {},
                                      const ReadOptions& options = {});
 
+/// Throws std::invalid_argument, naming the known endings, unless save_instances knows that of `path`.
+/// For who works long before there is something to write.
+void check_ending(const std::string& path);
+
 /// Writes instances in the format of the ending: a corpus (.hdf5, .h5), a Matrix Market pair
 /// (NAME.M.mtx, one instance) or JSON (.json). Throws std::invalid_argument on another ending, naming
 /// the known ones, and on no instance or several for a pair; UnwritableOutput as write_corpus,

@@ -1,0 +1,28 @@
+#pragma once
+
+#include "solvers/problem.h"
+
+namespace lcp {
+
+/// The friction LCP of these contacts alone (ascending), with the scales that friction_lcp gives it.
+Problem keep_contacts(const Problem& problem, const std::vector<Index>& contacts);
+
+/// Whether the contacts have friction directions of which every second one can be left out: a multiple
+/// of 4 of them, since directions come in opposite pairs.
+bool can_halve_directions(const Problem& problem);
+
+/// The friction LCP with every second direction of each contact.
+Problem halve_directions(const Problem& problem);
+
+/// The principal sub-LCP of these rows (ascending): M_SS, q_S, scales and covering vector with it, and
+/// without friction blocks, which no longer describe it. The z left out are 0, and their w not asked for.
+Problem keep_rows(const Problem& problem, const std::vector<Index>& rows);
+
+/// M and q rounded to so many significant decimal digits (17 leave a double as it is), each number by
+/// itself, so that what is symmetric stays so; without friction blocks where a number changes.
+Problem round_numbers(const Problem& problem, int digits);
+
+/// The least number of significant decimal digits that every number of M and q can be written with.
+int digits_of(const Problem& problem);
+
+}  // namespace lcp
