@@ -42,7 +42,7 @@ class Cli : public testing::Test {
 
 const std::vector<std::string> verbs = {"list",        "generate", "solve",   "run",  "table",
                                         "sweep",       "merge",    "compare", "info", "convert",
-                                        "test-solver", "simulate", "paper"};
+                                        "test-solver", "simulate", "paper",   "sheet"};
 
 TEST_F(Cli, HelpOfEveryVerbHasAnExampleOfIt) {
   for (const std::string& verb : verbs) {
