@@ -150,7 +150,7 @@ void draw_step_curves(const std::filesystem::path& svg, const StepCurvePage& pag
     for (const bool grey : is_large ? std::vector{true, false} : std::vector{false}) {
       for (const StepCurve& curve : panel.curves) {
         if ((curve.style < 0) != grey || curve.curve.counted == 0) continue;
-        const int columns = is_large ? large_columns : small_columns_of_pixels;
+        const int columns = is_large && !grey ? large_columns : small_columns_of_pixels;
         for (const Pixels& corner : step_corners(curve.curve, page.x, columns))
           out.data += fmt::format("{:.4g} {:.4g}\n", corner.x, corner.y);
         out.data += "\n\n";
