@@ -161,7 +161,7 @@ std::vector<ChartPanel> chart_panels(const Sheet& sheet) {
     for (const Ladder& ladder : group->ladders) {
       ChartLine line;
       line.row = panel.points[ladder.steps.front().row].row;
-      line.listed = false;
+      line.listed = false;  // among grey points lines would be a tangle
       for (const Step& step : ladder.steps) {
         const ChartPoint& point = panel.points[step.row];
         line.listed |= point.listed;
@@ -169,7 +169,7 @@ std::vector<ChartPanel> chart_panels(const Sheet& sheet) {
           line.vertices.push_back(
               {shown_cost(point.cost->median, measure), shown_residual(point.residual->median)});
       }
-      if (line.vertices.size() > 1) panel.ladders.push_back(line);
+      if (line.listed && line.vertices.size() > 1) panel.ladders.push_back(line);
     }
     panels.push_back(std::move(panel));
   }

@@ -39,8 +39,8 @@ struct ChartLine {
 struct ChartPanel {
   std::string title;
   std::vector<ChartPoint> points;
-  std::vector<ChartLine> ladders;
-  std::vector<Pixels> stairs;  ///< Of the front among the settings that solve the most.
+  std::vector<ChartLine> ladders;  ///< Those with a listed setting.
+  std::vector<Pixels> stairs;      ///< Of the front among the settings that solve the most.
   LogRange cost, residual;
 
   std::size_t lines() const;  ///< In the list beside it.

@@ -199,9 +199,9 @@ plot DATA index {points} every ::0::{last} using (10):0:(marker($3, $10)):($1 > 
      DATA index {points} every ::0::{last} using (38):0:($1 > 0 ? sprintf('%d', $1) : '') with labels right font ',11' tc rgb '#222222', \
      DATA index {points} every ::0::{last} using ({name}):0:2 with labels left noenhanced font ',11', \
      DATA index {points} every ::0::{last} using ({bar}):0:({bar}):({bar} + {bar_width}):($0-0.28):($0+0.28) with boxxyerror fs solid 1 noborder lc rgb '#eeeeee', \
-     DATA index {points} every ::0::{last} using ({bar}):0:({bar} + {bar_width} * $11 / $16):({bar} + {bar_width}):($0-0.28):($0+0.28) \
+     DATA index {points} every ::0::{last} using ($11 < $16 ? {bar} : NaN):0:({bar} + {bar_width} * $11 / $16):({bar} + {bar_width}):($0-0.28):($0+0.28) \
        with boxxyerror fs pattern 4 noborder lc rgb '#aaaaaa', \
-     DATA index {points} every ::0::{last} using ({bar}):0:({bar}):({bar} + {bar_width} * $10 / $16):($0-0.28):($0+0.28):(colour($3)) \
+     DATA index {points} every ::0::{last} using ($10 > 0 ? {bar} : NaN):0:({bar}):({bar} + {bar_width} * $10 / $16):($0-0.28):($0+0.28):(colour($3)) \
        with boxxyerror fs solid 0.75 noborder lc rgb variable, \
      DATA index {points} every ::0::{last} using ({bar} + {bar_width} + 6):0:17 with labels left noenhanced font ',11'
 )",

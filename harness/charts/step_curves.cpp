@@ -13,9 +13,10 @@ namespace lcp {
 namespace {
 
 /// Pixels.
-constexpr double page_width = 1060, page_head = 34;
+constexpr double least_page_width = 1060, page_head = 34;
 constexpr PageArea large = {74, 540, 70, 370};
 constexpr double legend_left = 640, legend_line = 20, legend_stroke = 34;
+constexpr double letter = 7.2;
 constexpr int small_columns = 4;
 constexpr double small_top = 510, small_left = 62, small_pitch = 250, small_row = 215;
 constexpr double small_width = 182, small_height = 140;
@@ -26,6 +27,15 @@ constexpr int large_columns = 180, small_columns_of_pixels = 60;
 
 double small_rows(const StepCurvePage& page) {
   return std::ceil(static_cast<double>(page.panels.size() - 1) / small_columns);
+}
+
+/// Wide enough for the longest name in the legend.
+double width_of(const StepCurvePage& page) {
+  double width = least_page_width;
+  for (const std::string& name : page.legend)
+    width = std::max(width,
+                     legend_left + legend_stroke + 16 + letter * static_cast<double>(name.size()));
+  return width;
 }
 
 /// Decades between two ticks, so that labels do not meet.
@@ -67,7 +77,7 @@ std::string style_of(int style, bool is_large) {
 std::string legend_commands(const StepCurvePage& page, double height) {
   std::string out;
   const auto screen = [&](double x, double y) {
-    return fmt::format("screen {:.5f}, screen {:.5f}", x / page_width, 1 - y / height);
+    return fmt::format("screen {:.5f}, screen {:.5f}", x / width_of(page), 1 - y / height);
   };
   for (std::size_t i = 0; i < page.legend.size(); ++i) {
     const double y = large.top + 10 + legend_line * static_cast<double>(i);
@@ -118,7 +128,7 @@ void draw_step_curves(const std::filesystem::path& svg, const StepCurvePage& pag
       (small > 0 ? small_top + small_row * small : small_top - 20) + captions + 14;
   GnuplotPage out;
   out.title = page.title;
-  out.width = page_width;
+  out.width = width_of(page);
   out.height = height;
   std::size_t data_set = 0;
   for (std::size_t p = 0; p < page.panels.size(); ++p) {
@@ -131,7 +141,7 @@ void draw_step_curves(const std::filesystem::path& svg, const StepCurvePage& pag
       area = {small_left + small_pitch * column, small_width, small_top + small_row * row + 14,
               small_height};
     }
-    out.commands += gnuplot_margins(area, page_width, height);
+    out.commands += gnuplot_margins(area, out.width, height);
     out.commands += fmt::format(
         "unset key\nset border 3 lc rgb '#555555'\nset logscale x\nset xrange [{:.6g}:{:.6g}]\nset "
         "yrange [0:1.02]\nset xtics 1e{} nomirror format '10^{{%L}}' font ',{}'\n{}set ytics 0, "
@@ -150,7 +160,7 @@ void draw_step_curves(const std::filesystem::path& svg, const StepCurvePage& pag
     for (const bool grey : is_large ? std::vector{true, false} : std::vector{false}) {
       for (const StepCurve& curve : panel.curves) {
         if ((curve.style < 0) != grey || curve.curve.counted == 0) continue;
-        const int columns = is_large ? large_columns : small_columns_of_pixels;
+        const int columns = is_large && !grey ? large_columns : small_columns_of_pixels;
         for (const Pixels& corner : step_corners(curve.curve, page.x, columns))
           out.data += fmt::format("{:.4g} {:.4g}\n", corner.x, corner.y);
         out.data += "\n\n";

@@ -53,7 +53,7 @@ Verb add_sweep(CLI::App& program) {
       "Each option is varied alone. Rows of a pattern without a ladder run as they are. The "
       "ladders: "
       "lcpbench list solvers.\n"
-      "Examples:\n"
+      "Example:\n"
       "  lcpbench sweep --solver own --corpus squat.hdf5 --limit 5\n"
       "  lcpbench sweep --solver best-first --option epsilon --suite contact --every 10");
   return {page, [arguments] { return sweep(*arguments); }};

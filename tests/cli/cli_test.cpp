@@ -40,9 +40,9 @@ class Cli : public testing::Test {
   TemporaryDirectory directory_;
 };
 
-const std::vector<std::string> verbs = {"list",        "generate", "solve",   "run",    "table",
-                                        "sweep",       "merge",    "compare", "info",   "convert",
-                                        "test-solver", "simulate", "paper",   "replay", "shrink"};
+const std::vector<std::string> verbs = {
+    "list", "generate", "solve",       "run",      "table", "sweep",  "merge",  "compare",
+    "info", "convert",  "test-solver", "simulate", "paper", "replay", "shrink", "sheet"};
 
 TEST_F(Cli, HelpOfEveryVerbHasAnExampleOfIt) {
   for (const std::string& verb : verbs) {

@@ -331,9 +331,9 @@ TEST(Sheet, LosesNoRowOfACommittedRun) {
 
 TEST(Sheet, DataHoldTheCurves) {
   const Sheet sheet = make_sheet(three_solvers_on_four_instances());
-  const nlohmann::json json = nlohmann::json::parse(render(sheet, SheetFormat::json));
-  const nlohmann::json& a = json.at("groups")[0].at("rows")[0];
-  EXPECT_EQ(json.at("ratio"), "c / best");
+  const nlohmann::json written = nlohmann::json::parse(render(sheet, SheetFormat::json));
+  const nlohmann::json& a = written.at("groups")[0].at("rows")[0];
+  EXPECT_EQ(written.at("ratio"), "c / best");
   EXPECT_EQ(a.at("profile").at("reached"), (nlohmann::json{1, 2, 2}));
   EXPECT_EQ(a.at("profile").at("counted"), 4);
   EXPECT_EQ(a.at("within").size(), 10u);
