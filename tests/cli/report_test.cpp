@@ -44,13 +44,20 @@ class Report : public testing::Test {
   const TemporaryDirectory directory_;
 };
 
-Json entry(const Json& list, std::size_t index) {
-  return list.is_object() ? list.at("all") : list.at(index);
+/// What a row's column holds: of a list, or of one that is stored once.
+Json column(const Json& data, const char* name, std::size_t row) {
+  const Json& list = data.at("rows").at(name);
+  return list.is_object() ? list.at("all") : list.at(row);
+}
+
+/// What a row names by its place in one of the lists.
+const Json& of_row(const Json& data, const char* list, const char* name, std::size_t row) {
+  return data.at(list).at(column(data, name, row).get<std::size_t>());
 }
 
 /// What the page shows as the command that follows the pivots of a row.
 std::string trace_command(const Json& data, std::size_t row, const Json& command) {
-  const Json& variant = data.at("variants").at(entry(data.at("rows").at("variant"), row));
+  const Json& variant = of_row(data, "variants", "variant", row);
   const auto text = [](const Json& value) { return value.get<std::string>(); };
   return text(command.at("before")) + text(data.at("program")) + " solve " +
          text(command.at("where")) + text(variant.at("arguments")) + " --trace" +
@@ -59,15 +66,11 @@ std::string trace_command(const Json& data, std::size_t row, const Json& command
 
 /// How `solve` begins what it prints of a row.
 std::string first_line(const Json& data, std::size_t row) {
-  const Json& rows = data.at("rows");
-  const Json& instance = data.at("instances").at(entry(rows.at("instance"), row));
-  return instance.at("name").get<std::string>() +
-         " (n = " + std::to_string(instance.at("n").get<long>()) + "), " +
-         data.at("variants")[entry(rows.at("variant"), row).get<std::size_t>()]["solver"]
-             .get<std::string>() +
-         ": " +
-         data.at("verdicts")[entry(rows.at("verdict"), row).get<std::size_t>()]["name"]
-             .get<std::string>();
+  const Json& instance = of_row(data, "instances", "instance", row);
+  const std::string size = std::to_string(instance.at("n").get<long>());
+  return instance.at("name").get<std::string>() + " (n = " + size + "), " +
+         of_row(data, "variants", "variant", row).at("solver").get<std::string>() + ": " +
+         of_row(data, "verdicts", "verdict", row).at("name").get<std::string>();
 }
 
 TEST_F(Report, CommandsOfASuiteDrawTheInstanceAgainAndEndAsTheRowDid) {
@@ -79,12 +82,10 @@ TEST_F(Report, CommandsOfASuiteDrawTheInstanceAgainAndEndAsTheRowDid) {
   const Json page = data("r/report.html");
   std::map<std::string, std::size_t> last_of_corpus;
   for (std::size_t row = 0; row < page["rows"]["count"]; ++row)
-    last_of_corpus[page["instances"][entry(page["rows"]["instance"], row).get<std::size_t>()]
-                       ["corpus"]] = row;
+    last_of_corpus[of_row(page, "instances", "instance", row)["corpus"]] = row;
   EXPECT_GT(last_of_corpus.size(), 10u);
   for (const auto& [corpus, row] : last_of_corpus) {
-    const Json& instance =
-        page["instances"][entry(page["rows"]["instance"], row).get<std::size_t>()];
+    const Json& instance = of_row(page, "instances", "instance", row);
     const Ran traced = shell(trace_command(page, row, instance["command"]));
     EXPECT_EQ(traced.status, 0) << traced.err;
     EXPECT_EQ(traced.out.find(first_line(page, row)), 0u) << first_line(page, row) << "\n"
@@ -104,8 +105,7 @@ TEST_F(Report, CommandsOfCorporaFindTheInstanceAmongThem) {
   const Json page = data("page.html");
   ASSERT_EQ(page["rows"]["count"], 8);
   for (const std::size_t row : {0, 7}) {
-    const Json& instance =
-        page["instances"][entry(page["rows"]["instance"], row).get<std::size_t>()];
+    const Json& instance = of_row(page, "instances", "instance", row);
     const Ran traced = shell(trace_command(page, row, instance["command"]));
     EXPECT_EQ(traced.status, 0) << traced.err;
     EXPECT_NE(traced.out.find(instance["name"].get<std::string>() + " (n = "), std::string::npos)
@@ -115,12 +115,14 @@ TEST_F(Report, CommandsOfCorporaFindTheInstanceAmongThem) {
 }
 
 TEST_F(Report, CommandsOfADumpSimulateTheSceneAgain) {
-  ASSERT_EQ(run({"simulate", "squat", "--duration", "30ms", "--dump", "dump"}).status, 0);
+  ASSERT_EQ(
+      run({"simulate", "squat", "--duration", "30ms", "--every", "10", "--dump", "dump"}).status,
+      0);
   ASSERT_EQ(run({"run", "--corpus", "dump", "--solver", "lemke", "--out", "r"}).status, 0);
   ASSERT_EQ(run({"report", "r"}).status, 0);
   const Json page = data("r/report.html");
   const std::size_t row = page["rows"]["count"].get<std::size_t>() - 1;
-  const Json& instance = page["instances"][entry(page["rows"]["instance"], row).get<std::size_t>()];
+  const Json& instance = of_row(page, "instances", "instance", row);
   ASSERT_TRUE(instance.contains("simulated")) << instance;
   for (int time = 0; time < 2; ++time) {  // The second finds what the first simulated.
     const Ran traced = shell(trace_command(page, row, instance["simulated"]));
