@@ -105,7 +105,7 @@ std::string of_the_first_none(const Replay& replay, Index n) {
 }
 
 std::string end_of_path(const Replay& replay) {
-  if (replay.path.undecided) return "113 bits no longer decide,";
+  if (replay.path.undecided) return "undecided (113 bits do not resolve the next pivot)";
   if (replay.path.cut_short) return "stopped";
   if (replay.path.claim == Claim::singular) return "basis singular to 113 bits";
   return to_string(replay.path_verdict);
