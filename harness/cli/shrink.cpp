@@ -149,7 +149,8 @@ Verb add_shrink(CLI::App& program) {
       "candidate\n"
       "solved in a process of its own, started cold. Same input, same name and content.\n"
       "Example:\n"
-      "  lcpbench shrink squat.hdf5#squat-like/0009 --solver lemke --by-rounding --out small.hdf5\n"
+      "  lcpbench shrink squat.hdf5#squat-like/0009 --solver lemke --out small.hdf5\n"
+      "  lcpbench shrink frame.hdf5 --solver lemke --by-rounding --out small.hdf5\n"
       "  lcpbench shrink frame.hdf5 --solver dart-lemke --keep failure --out small.hdf5");
   return {page, [arguments] { return shrink_instance(*arguments); }};
 }

@@ -122,8 +122,12 @@ Estimates HighDictionary::kernel_solution(const Quads& b) const {
 
 Estimate HighDictionary::entry(const Quads& b, const Estimates& x, Index row) const {
   Estimate y;
+  double sizes = 0;
   if (place_[row] >= 0) {
-    y = x[place_[row]];
+    const Index a = place_[row];
+    y = x[a];
+    for (std::size_t r = 0; r < R_.size(); ++r)
+      sizes += inverse_size_(a, static_cast<Index>(r)) * size_of(b[R_[r]]);
   } else {
     const Index i = labels_.index(labels_.basic(row));
     y.value = b[i];
@@ -138,8 +142,13 @@ Estimate HighDictionary::entry(const Quads& b, const Estimates& x, Index row) co
       y.error += size_of(m) * x[a].error;
     }
     if (terms > size_of(b[i])) y.error += static_cast<double>(x.size() + 1) * kQuadRounding * terms;
+    sizes = terms;
   }
-  if (magnitude(y.value) <= zero_ * y.error) return {};
+  if (magnitude(y.value) <= zero_ * y.error) {
+    Estimate zero;
+    if (y.error > kResolution * sizes) zero.doubt = zero_ * y.error;
+    return zero;
+  }
   return y;
 }
 

@@ -24,7 +24,14 @@ struct HighProblem {
 struct Estimate {
   Quad value = 0;
   double error = 0;
+  /// Of a number taken for 0: how far it may be from that, where 113 bits do not resolve it (kResolution).
+  double doubt = 0;
 };
+
+/// The data's own rounding leaves numbers of about 2^-53 of the terms that they are the sum of. Where the
+/// error is more than this share of those terms, on bases of condition 1e14 and above, a number that small
+/// cannot be told from 0.
+inline constexpr double kResolution = 1e-20;
 
 using Estimates = std::vector<Estimate>;
 

@@ -38,7 +38,10 @@ class Walk {
     HighChoice choice = high_step0(dictionary_, rule_, limits_.zero);
     Visited visited;
     BasisKey key(labels_, -1);
-    while (choice.row >= 0) {
+    while (true) {
+      path_.undecided = path_.cut_short = choice.undecided;
+      if (choice.undecided) return Claim::limit;
+      if (choice.row < 0) return Claim::ray;
       const Index pivots = static_cast<Index>(path_.pivots.size());
       if (pivots == max_pivots) return Claim::limit;
       path_.cut_short =
@@ -56,7 +59,6 @@ class Walk {
       if (!visited.insert(key)) return Claim::cycle;
       choice = high_step1(dictionary_, driving, first_, rule_, limits_.zero);
     }
-    return Claim::ray;
   }
 
   bool is_solved() const {

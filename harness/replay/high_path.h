@@ -26,7 +26,8 @@ struct HighPivot {
 struct HighPath {
   std::vector<HighPivot> pivots;
   Claim claim = Claim::singular;
-  bool cut_short = false;  ///< Stopped by most_pivots or interrupted: the claim is `limit`.
+  bool cut_short = false;  ///< Stopped by most_pivots, interrupted or undecided: claims `limit`.
+  bool undecided = false;  ///< 113 bits do not decide the next pivot.
   VectorXd z;              ///< n, of the last dictionary, in the problem's own units.
 };
 

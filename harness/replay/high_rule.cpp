@@ -44,6 +44,14 @@ Estimates lexicographic_entries(const HighDictionary& dictionary, const Estimate
   return entries;
 }
 
+/// Whether some number in doubt could change the choice: an m' that may be a pivot after all, or the q'
+/// of a row that blocks.
+bool in_doubt(const Estimates& q, const Estimates& m, const std::vector<Index>& blocking,
+              double pivot) {
+  return std::any_of(m.begin(), m.end(), [=](const Estimate& x) { return x.doubt > pivot; }) ||
+         std::any_of(blocking.begin(), blocking.end(), [&](Index i) { return q[i].doubt > 0; });
+}
+
 Index lexicographically_least(const HighDictionary& dictionary, const Estimates& m,
                               const std::vector<Variable>& first, const PathRule& rule, double zero,
                               std::vector<Index> tied) {
@@ -120,10 +128,15 @@ HighChoice high_step1(const HighDictionary& dictionary, Variable driving,
     blocking.push_back(static_cast<Index>(i));
     ratios.push_back(ratio_of(dictionary.q()[i], m[i]));
   }
-  if (blocking.empty()) return {};
+  const bool undecided = in_doubt(dictionary.q(), m, blocking, rule.pivot);
+  if (blocking.empty()) {
+    HighChoice nothing;
+    nothing.undecided = undecided;
+    return nothing;
+  }
   const Estimate least = ratios[least_of(ratios)];
   const auto chosen = [&](std::size_t k, Index tied) {
-    return HighChoice{blocking[k], ratios[k], m[blocking[k]], tied};
+    return HighChoice{blocking[k], ratios[k], m[blocking[k]], tied, undecided};
   };
   const auto place_of = [&](Index row) {
     return std::find(blocking.begin(), blocking.end(), row) - blocking.begin();

@@ -28,6 +28,8 @@ struct HighChoice {
   Estimate ratio;
   Estimate pivot;  ///< m'_s; where nothing blocks, nothing.
   Index tied = 0;
+  bool undecided =
+      false;  ///< 113 bits do not tell whether a row blocks, or where (Estimate::doubt).
 };
 
 /// Step 0: least q'_i / c_i, the lowest row of exact ties; of the lexicographic rule the last within

@@ -105,6 +105,7 @@ std::string of_the_first_none(const Replay& replay, Index n) {
 }
 
 std::string end_of_path(const Replay& replay) {
+  if (replay.path.undecided) return "undecided (113 bits do not resolve the next pivot)";
   if (replay.path.cut_short) return "stopped";
   if (replay.path.claim == Claim::singular) return "basis singular to 113 bits";
   return to_string(replay.path_verdict);
@@ -292,11 +293,10 @@ Json json(const Replay& replay, Index n) {
               {"pivots", replay.steps.size()}};
   if (replay.basis_residual) out["basis_residual"] = number(*replay.basis_residual);
   if (replay.comparison == Beside::path)
-    out["in_113_bits"] = {{"claim", to_string(replay.path.claim)},
-                          {"verdict", to_string(replay.path_verdict)},
-                          {"cut_short", replay.path.cut_short},
-                          {"pivots", replay.path.pivots.size()},
-                          {"residual", number(replay.path_residual)}};
+    out["in_113_bits"] = {
+        {"claim", to_string(replay.path.claim)}, {"verdict", to_string(replay.path_verdict)},
+        {"cut_short", replay.path.cut_short},    {"undecided", replay.path.undecided},
+        {"pivots", replay.path.pivots.size()},   {"residual", number(replay.path_residual)}};
   if (replay.comparison == Beside::search) out["checked"] = replay.checked;
   out["sentence"] = replay.comparison == Beside::none ? "" : sentence(replay, n);
   out["departure"] = departure_json(replay, replay.departure, n);

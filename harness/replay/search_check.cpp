@@ -35,6 +35,7 @@ std::optional<Departure> check_pivot(const HighProblem& high, const SearchRule& 
   const Estimates m = dictionary.column(event.entering);
   departure.size = m[event.row];
   departure.why = Why::zero_pivot;
+  if (departure.size.doubt > rule.pivot) return std::nullopt;  // 113 bits do not tell
   if (departure.size.value == 0) return departure;
   departure.ratio = ratio_of(dictionary.q()[event.row], departure.size);
   departure.why = Why::no_pivot;

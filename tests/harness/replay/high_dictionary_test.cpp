@@ -99,6 +99,20 @@ TEST(HighDictionary, TellsATrueZeroFromASmallNumber) {
   EXPECT_EQ(near(zero_there.q()[2]), 0);
 }
 
+/// w_3 = z_1 + z_2 - 1 is 0 at z = (1, 0) for any a in M = (1 1; 1 a), q = (-1, -1). With a = 1 + 2^-52 the
+/// condition is 2e16, and 113 bits leave 1e-18 of it: what the data's rounding could be as well.
+TEST(HighDictionary, DoubtsAZeroThatItDoesNotResolve) {
+  for (const double a : {2.0, 1 + 0x1p-52}) {
+    const Problem problem =
+        plain_problem(MatrixXd{{1, 1, 0}, {1, a, 0}, {1, 1, 0}}, VectorXd::Constant(3, -1));
+    const HighProblem high(problem, false);
+    const HighDictionary dictionary(high, Labels(3, {0, 1}), zero);
+    ASSERT_TRUE(dictionary.usable());
+    EXPECT_EQ(near(dictionary.q()[2]), 0);
+    EXPECT_EQ(dictionary.q()[2].doubt > 0, a < 2) << a;
+  }
+}
+
 TEST(HighDictionary, SaysThatASingularBasisIsNotUsable) {
   // Rank 1 in the doubles, not only up to rounding: the second row is 3 times the first.
   const Problem problem =
