@@ -81,7 +81,8 @@ int run_program(int argc, char** argv) {
   const std::vector<Verb> verbs = {
       add_list(program),        add_generate(program), add_simulate(program), add_solve(program),
       add_run(program),         add_table(program),    add_sweep(program),    add_merge(program),
-      add_stability(program),   add_compare(program),  add_paper(program),    add_info(program),
+      add_stability(program),   add_sufficient(program), add_compare(program), add_paper(program),
+      add_info(program),
       add_convert(program),     add_test_solver(program),
   };
 

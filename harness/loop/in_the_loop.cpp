@@ -145,9 +145,10 @@ class DrivenSimulation {
     record.applied = solution.applied;
     record.violated = violated_contacts(solution);
     record.work = solution.with_friction.work;
+    record.frictional_ns = solves_ns_.back();
+    if (solves_ns_.size() == 1) return;  // no friction: the two are one
     record.frictionless_work = solution.without_friction.work;
     record.frictionless_ns = solves_ns_.front();
-    record.frictional_ns = solves_ns_.back();
   }
 
   Simulation simulation_;

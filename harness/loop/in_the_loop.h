@@ -27,7 +27,7 @@ struct FrameRecord {
   Accuracy accuracy = {};  ///< Of the frictional answer.
   Index violated = 0;      ///< Contacts whose w_a is below -1e-6 s_w under the forces that act.
   Work work;               ///< Of the frictional solve,
-  Work frictionless_work;  ///< and of the one before.
+  Work frictionless_work;  ///< and of the one before, which is none where nothing has friction.
   std::int64_t frictional_ns = 0, frictionless_ns = 0;
   std::int64_t step_ns = 0;  ///< The whole step, solves included; no judging, no looking.
   double depth = 0;          ///< Largest overlap, m.
