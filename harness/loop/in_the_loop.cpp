@@ -7,6 +7,9 @@
 #include <cmath>
 #include <numbers>
 
+#include "harness/measure/solve.h"
+#include "problems/contact/islands.h"
+
 namespace lcp {
 
 namespace {
@@ -16,9 +19,11 @@ using Clock = std::chrono::steady_clock;
 /// Of s_w: how fast a contact may close under the forces that act before it counts as violated.
 constexpr double kViolation = 1e-6;
 
-std::int64_t since(Clock::time_point begin) {
-  return std::chrono::duration_cast<std::chrono::nanoseconds>(Clock::now() - begin).count();
+std::int64_t nanoseconds(Clock::duration duration) {
+  return std::chrono::duration_cast<std::chrono::nanoseconds>(duration).count();
 }
+
+std::int64_t since(Clock::time_point begin) { return nanoseconds(Clock::now() - begin); }
 
 /// Judges by the loop's criterion. A claim other than solved stays what it is.
 Judgement judge_by(const Acceptance& acceptance, const Problem& problem, const Result& result) {
@@ -63,8 +68,14 @@ class DrivenSimulation {
         acceptance_(acceptance),
         look_(look) {
     contact_solver_.solve = [this](const Problem& problem, const Call& call) {
+      const Clock::time_point splitting = Clock::now();
+      const std::vector<Island> islands =
+          has_islands(problem) ? split_islands(problem) : std::vector<Island>{};
       const Clock::time_point begin = Clock::now();
-      Result result = solver_.solver->solve(problem, call);
+      outside_ns_ += nanoseconds(begin - splitting);
+      Result result = islands.empty()
+                          ? solver_.solver->solve(problem, call)
+                          : solve_islands(*solver_.solver, islands, problem.size(), call);
       solves_ns_.push_back(since(begin));
       return result;
     };

@@ -64,7 +64,8 @@ struct LoopRun {
 using FrameLook = std::function<void(const Simulation&, const Frame&, const FrameRecord&)>;
 
 /// Simulates a scene with a solver in the loop: the forces it finds move the bodies. An answer that
-/// is not accepted counts as failed and the frictionless one acts (paper V-A). Before a step that
+/// is not accepted counts as failed and the frictionless one acts (paper V-A). Contacts that do not
+/// influence one another are solved apart (islands). Before a step that
 /// would begin `limit` s of wall-clock time after the first it stops.
 LoopRun run_in_the_loop(const NamedScene& scene, const NamedSolver& solver,
                         const Acceptance& acceptance, const FrameLook& look,

@@ -107,7 +107,7 @@ set object 2 rectangle from graph 0, graph 0 to first 0, first 1 fc rgb '#eeeeee
 set label 1 'fails' at graph 0.01, first 1 left offset 0,0.7 tc rgb '#a04000' font ',11'
 set label 2 'passes, saves nothing' at graph 0.01, first 1 left offset 0,-0.7 tc rgb '#666666' font ',11'
 set label 3 'passes and saves' at graph 0.99, first 1 right offset 0,-0.7 tc rgb '#006644' font ',11'
-plot DATA index {index} using 4:5:(($6 - $4) * ($8 ? 1 : 0)):(($8 ? $7 : $5) - $5) with vectors nohead lw 0.6 lc rgb '#999999', \
+plot DATA index {index} using 4:5:($8 > 0 ? $6 - $4 : 0):($8 > 0 ? $7 - $5 : 0) with vectors nohead lw 0.6 lc rgb '#999999', \
      DATA index {index} using 4:5:(marker($2, $3)):(colour($2)) with points pt variable ps 0.9 lw 1.5 lc rgb variable, \
      DATA index {index} using 6:7:(sprintf('%d', $1)) with labels font ',11' tc rgb '#222222'
 unset object 1
@@ -161,7 +161,7 @@ void draw_studies(const std::vector<Study>& studies, const std::filesystem::path
 FILLED = '7 5 9 13 11 15 3'  # by axis
 OPEN = '6 4 8 12 10 14 1'    # not simulated to the end
 colour(kind) = int(word(COLOURS, int(kind) + 1))
-marker(kind, whole) = int(word(whole ? FILLED : OPEN, int(kind) + 1))
+marker(kind, whole) = int(word(whole > 0 ? FILLED : OPEN, int(kind) + 1))
 unset key
 )",
       .data =

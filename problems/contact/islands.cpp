@@ -84,6 +84,10 @@ void require_every_row_once(const std::vector<Island>& islands, Index n) {
 
 }  // namespace
 
+bool has_islands(const Problem& problem) {
+  return problem.friction && components(problem.friction->W).size() > 1;
+}
+
 std::vector<Island> split_islands(const Problem& problem) {
   std::vector<Index> all(problem.size());
   std::iota(all.begin(), all.end(), Index{0});
