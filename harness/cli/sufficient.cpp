@@ -25,9 +25,10 @@ struct SufficientArguments {
   std::vector<std::string> scenes;
   std::string reference_solver = "best-first";
   std::vector<std::string> solvers;
-  std::string reference_dt, duration, window = "20ms", silence = "1min";
+  std::vector<std::string> durations;  ///< One for all scenes, or one for each.
+  std::string reference_dt, window = "20ms", silence = "1min";
   double trajectory = 1, force = 2, penetration = 1, slip = 1;
-  double disturbance = 1e-12, floor_share = 0.25, patience = 2;
+  double disturbance = 1e-12, floor_share = 0.25, patience = 4;
   int rounds = 3;
   std::string format = "text";
   bool json = false, dry_run = false;
@@ -38,7 +39,8 @@ double simulated_seconds(const std::string& text, const char* option) {
   return std::chrono::duration<double>(parse_duration(text, option)).count();
 }
 
-StudyPlan study_plan(const std::string& scene, const SufficientArguments& arguments) {
+StudyPlan study_plan(const std::string& scene, const std::string& duration,
+                     const SufficientArguments& arguments) {
   StudyPlan plan;
   std::optional<double> dt;
   if (!arguments.reference_dt.empty())
@@ -49,9 +51,8 @@ StudyPlan study_plan(const std::string& scene, const SufficientArguments& argume
                    .window = simulated_seconds(arguments.window, "--window"),
                    .penetration = 1e-3 * arguments.penetration,
                    .slip = 1e-3 * arguments.slip};
-  plan.duration = arguments.duration.empty()
-                      ? std::min(kMostByDefault, make_scene(scene).setup.duration)
-                      : simulated_seconds(arguments.duration, "--duration");
+  plan.duration = duration.empty() ? std::min(kMostByDefault, make_scene(scene).setup.duration)
+                                   : simulated_seconds(duration, "--duration");
   plan.disturbance = arguments.disturbance;
   plan.floor_share = arguments.floor_share;
   plan.patience = arguments.patience;
@@ -77,7 +78,15 @@ void print_plan(const StudyPlan& plan) {
 
 int sufficient(const SufficientArguments& arguments) {
   std::vector<StudyPlan> plans;
-  for (const std::string& scene : arguments.scenes) plans.push_back(study_plan(scene, arguments));
+  const std::size_t durations = arguments.durations.size();
+  if (durations > 1 && durations != arguments.scenes.size())
+    throw std::invalid_argument(
+        fmt::format("--duration: {} of them for {} scenes, expected one for all or one for each",
+                    durations, arguments.scenes.size()));
+  for (std::size_t i = 0; i < arguments.scenes.size(); ++i)
+    plans.push_back(study_plan(arguments.scenes[i],
+                               durations == 0 ? "" : arguments.durations[durations == 1 ? 0 : i],
+                               arguments));
   if (arguments.dry_run) {
     for (const StudyPlan& plan : plans) print_plan(plan);
     return done;
@@ -136,8 +145,10 @@ Verb add_sufficient(CLI::App& program) {
       ->allow_extra_args(false);
   page->add_option("--reference-dt", arguments->reference_dt,
                    "Time step of the reference, number with ms or s. Default: the scene's");
-  page->add_option("--duration", arguments->duration,
-                   "Simulated time, likewise. Default: the scene's, 1 s at most");
+  page->add_option("--duration", arguments->durations,
+                   "Simulated time, likewise; repeatable: one for each scene. Default: the "
+                   "scene's, 1 s at most")
+      ->allow_extra_args(false);
   page->add_option("--trajectory", arguments->trajectory,
                    "Tolerance: largest distance of a link's centre of mass, mm")
       ->check(CLI::PositiveNumber)

@@ -30,8 +30,11 @@ struct FrameRecord {
   Work frictionless_work;  ///< and of the one before, which is none where nothing has friction.
   std::int64_t frictional_ns = 0, frictionless_ns = 0;
   std::int64_t step_ns = 0;  ///< The whole step, solves included; no judging, no looking.
-  double depth = 0;          ///< Largest overlap, m.
-  double approach = 0;       ///< Largest speed at which a contact closes, m/s.
+  /// The same of both solves and of the step in processor time of the process, to which waiting for
+  /// a busy machine adds nothing.
+  std::int64_t lcp_cpu_ns = 0, step_cpu_ns = 0;
+  double depth = 0;     ///< Largest overlap, m.
+  double approach = 0;  ///< Largest speed at which a contact closes, m/s.
   Vector3d centre_of_mass = Vector3d::Zero(), com_velocity = Vector3d::Zero();
   double yaw = 0;                       ///< Of the first link, rad, continued over turns.
   double tilt = 0;                      ///< Angle between its z axis and the vertical, rad.

@@ -123,9 +123,9 @@ void for_each_field(AnyTrack& track, Plain plain, Matrix matrix) {
   plain("contact_frames", track.contact_frames);
   plain("failed", track.failed);
   plain("n", track.n);
-  plain("lcp_s", track.lcp_s);
-  plain("step_s", track.step_s);
   plain("elapsed_s", track.elapsed_s);
+  matrix("lcp_s", track.lcp_s);
+  matrix("step_s", track.step_s);
   matrix("time", track.time);
   matrix("centres", track.centres);
   matrix("impulse", track.impulse);
@@ -137,9 +137,12 @@ void for_each_field(AnyTrack& track, Plain plain, Matrix matrix) {
 
 void count(const LoopRun& run, Track& track) {
   double n = 0;
-  for (const FrameRecord& frame : run.frames) {
-    track.step_s += 1e-9 * static_cast<double>(frame.step_ns);
-    track.lcp_s += 1e-9 * static_cast<double>(frame.frictional_ns + frame.frictionless_ns);
+  track.lcp_s.resize(track.frames());
+  track.step_s.resize(track.frames());
+  for (Index k = 0; k < track.frames(); ++k) {
+    const FrameRecord& frame = run.frames[k];
+    track.lcp_s(k) = 1e-9 * static_cast<double>(frame.lcp_cpu_ns);
+    track.step_s(k) = 1e-9 * static_cast<double>(frame.step_cpu_ns);
     if (frame.contacts == 0) continue;
     ++track.contact_frames;
     track.failed += frame.frictional != Verdict::solved;

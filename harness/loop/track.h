@@ -34,9 +34,9 @@ struct Track {
   Index contact_frames = 0;  ///< Frames with contact,
   Index failed = 0;          ///< those whose frictional LCP failed,
   double n = 0;              ///< and mean size of it.
-  double lcp_s = 0;          ///< Time of all LCPs, s,
-  double step_s = 0;         ///< of all steps, LCPs included,
-  double elapsed_s = 0;      ///< and from start to end, judging included.
+  VectorXd lcp_s;            ///< Frames: processor time of the LCPs, s,
+  VectorXd step_s;           ///< and of the whole step.
+  double elapsed_s = 0;      ///< From start to end, judging included, s.
 
   Index frames() const { return time.size(); }
   double simulated() const { return dt * static_cast<double>(frames()); }  ///< s.

@@ -58,7 +58,7 @@ StudyPanel panel_of(const Study& study) {
     panel.points.push_back({.number = static_cast<int>(panel.points.size()) + 1,
                             .kind = static_cast<int>(kind),
                             .whole = row.broken.empty(),
-                            .x = std::max(kLeastSaved, 100 * row.step_saved.median),
+                            .x = std::max(kLeastSaved, 100 * row.step_saved.all),
                             .y = std::clamp(error, kLeastError, kMostError),
                             .name = fmt::format("{}{}", row.model.label,
                                                 row.stopped           ? " (stopped: too slow)"
@@ -100,7 +100,7 @@ set yrange [{bottom:.6g}:{top:.6g}]
 set xtics nomirror 20 format '%g'
 set ytics nomirror 10 format '10^{{%L}}'
 set grid xtics ytics lc rgb '#e6e6e6' lt 1 lw 0.8
-set xlabel 'saved of a step''s computing time (%)'
+set xlabel 'saved of a step''s processor time (%)'
 set ylabel 'largest physical error / its tolerance'
 set object 1 rectangle from graph 0, first 1 to graph 1, graph 1 fc rgb '#f2dcd3' fs solid 0.6 noborder behind
 set object 2 rectangle from graph 0, graph 0 to first 0, first 1 fc rgb '#eeeeee' fs solid 0.8 noborder behind

@@ -52,7 +52,7 @@ std::string errors_of(const PhysicalError& error) {
 }
 
 std::string saved(const Saving& saving) {
-  return fmt::format("{:.0f} % ({:.0f} to {:.0f})", percent * saving.median, percent * saving.low,
+  return fmt::format("{:.0f} % ({:.0f} to {:.0f})", percent * saving.all, percent * saving.low,
                      percent * saving.high);
 }
 
@@ -91,16 +91,14 @@ std::string summary_line(const Study& study, std::size_t width) {
   return fmt::format(
       "{}  {}: n {:.1f} for {:.1f}, saves {:.0f} % of a step, {:.0f} % of the LCPs, "
       "error {:.2g} of the tolerance\n",
-      name, row.model.label, row.n, study.reference.n, percent * row.step_saved.median,
-      percent * row.lcp_saved.median, over_tolerance(row.error, study.plan.criteria));
+      name, row.model.label, row.n, study.reference.n, percent * row.step_saved.all,
+      percent * row.lcp_saved.all, over_tolerance(row.error, study.plan.criteria));
 }
 
 Json number(double value) { return std::isfinite(value) ? Json(value) : Json(); }
 
 Json to_json(const Saving& saving) {
-  return {{"median", number(saving.median)},
-          {"low", number(saving.low)},
-          {"high", number(saving.high)}};
+  return {{"all", number(saving.all)}, {"low", number(saving.low)}, {"high", number(saving.high)}};
 }
 
 Json to_json(const Study& study, const ModelRow& row) {
@@ -163,10 +161,9 @@ std::string to_csv(const std::vector<Study>& studies) {
           csv_quoted(study.plan.ladder.scene), csv_quoted(label_of(*row)), row->axis,
           mm * row->error.trajectory, percent * row->error.force, mm * row->error.penetration,
           mm * row->error.slip, over_tolerance(row->error, study.plan.criteria), row->n,
-          row->frames, row->failed, 1e3 * row->lcp, 1e3 * row->step,
-          percent * row->lcp_saved.median, percent * row->step_saved.median,
-          percent * row->step_saved.low, percent * row->step_saved.high, row->until,
-          csv_quoted(verdict_of(study, *row)));
+          row->frames, row->failed, 1e3 * row->lcp, 1e3 * row->step, percent * row->lcp_saved.all,
+          percent * row->step_saved.all, percent * row->step_saved.low,
+          percent * row->step_saved.high, row->until, csv_quoted(verdict_of(study, *row)));
   return csv;
 }
 
@@ -181,8 +178,9 @@ std::string render_text(const Study& study) {
   text += compared_over(study);
   text += fmt::format(
       "Noise floor: the reference, its velocities disturbed by {:g}, differs by {}.\n"
-      "Noise of times: the same simulation took up to {:.1f} % more or less in {} rounds.\n\n",
-      plan.disturbance, errors_of(study.disturbed.error), percent * study.time_noise, plan.rounds);
+      "Times are processor time, of each frame the least of {} rounds. Their noise: the disturbed "
+      "reference takes {:.1f} % more or less.\n\n",
+      plan.disturbance, errors_of(study.disturbed.error), plan.rounds, percent * study.time_noise);
   std::size_t width = 5;
   for (const ModelRow* row : all_rows(study)) width = std::max(width, label_of(*row).size());
   text += fmt::format("{:<{}} {:>9} {:>9} {:>9} {:>9} {:>6} {:>6} {:>9} {:>9} {:>7} {:>6}  {}\n",
@@ -194,7 +192,7 @@ std::string render_text(const Study& study) {
         "{:>6.0f}  {}\n",
         label_of(*row), width, mm * row->error.trajectory, percent * row->error.force,
         mm * row->error.penetration, mm * row->error.slip, row->n, row->failed, 1e3 * row->lcp,
-        1e3 * row->step, percent * row->lcp_saved.median, percent * row->step_saved.median,
+        1e3 * row->step, percent * row->lcp_saved.all, percent * row->step_saved.all,
         verdict_of(study, *row));
   text += fmt::format("{:<{}} {:>9.2g} {:>9.2g} {:>9.2g} {:>9.2g}  tolerances\n\n", "", width,
                       mm * plan.criteria.trajectory, percent * plan.criteria.force,
@@ -226,7 +224,7 @@ std::string render(const std::vector<Study>& studies, TableFormat format) {
       "  slip mm    largest difference of the way that a link slipped on its contacts\n"
       "  n          size of the frictional LCP, mean over frames with contact\n"
       "  failed     frames whose frictional LCP failed\n"
-      "  LCP ms/s   computing time of LCPs, and of whole steps, per simulated second\n"
+      "  LCP ms/s   processor time of LCPs, and of whole steps, per simulated second\n"
       "  LCP -%     part of the reference's time of LCPs that is saved, and of steps\n";
   if (studies.size() == 1) return text;
   text += "\nCheapest model that is enough:\n";

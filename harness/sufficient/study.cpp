@@ -6,12 +6,12 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <functional>
 #include <limits>
 #include <map>
 #include <stdexcept>
 
 #include "harness/loop/tracked_runs.h"
-#include "harness/observed_quantile.h"
 
 namespace lcp {
 
@@ -40,26 +40,49 @@ PhysicalError error_of(const Drift& drift) {
   return {drift.distance, drift.force, drift.depth, drift.slip};
 }
 
-Saving saving_of(const std::vector<double>& ratios) {
-  return {1 - observed_quantile(ratios, 0.5).value_or(1),
-          1 - *std::max_element(ratios.begin(), ratios.end()),
-          1 - *std::min_element(ratios.begin(), ratios.end())};
-}
-
-/// Times of a model in each round, beside the reference's in the same round.
-struct Rounds {
-  std::vector<double> lcp, step;              ///< s per simulated s.
-  std::vector<double> lcp_ratio, step_ratio;  ///< To the reference's.
-
-  void add(const Track& track, const Track& reference) {
-    const double here = track.simulated(), there = reference.simulated();
-    if (here <= 0 || there <= 0) return;
-    lcp.push_back(track.lcp_s / here);
-    step.push_back(track.step_s / here);
-    if (reference.lcp_s > 0) lcp_ratio.push_back(lcp.back() * there / reference.lcp_s);
-    step_ratio.push_back(step.back() * there / reference.step_s);
+/// Times of a model in each round, frame by frame.
+class Rounds {
+ public:
+  void add(const Track& track) {
+    if (track.frames() == 0) return;
+    lcp_.push_back(track.lcp_s);
+    step_.push_back(track.step_s);
+    simulated_ = track.simulated();
   }
+  bool empty() const { return step_.empty(); }
+  /// s per simulated s, of the quickest round of each frame but for round `left_out`.
+  double lcp(std::size_t left_out = kNone) const { return quickest(lcp_, left_out); }
+  double step(std::size_t left_out = kNone) const { return quickest(step_, left_out); }
+  std::size_t count() const { return step_.size(); }
+
+  static constexpr std::size_t kNone = std::numeric_limits<std::size_t>::max();
+
+ private:
+  double quickest(const std::vector<VectorXd>& rounds, std::size_t left_out) const {
+    std::optional<VectorXd> least;
+    for (std::size_t i = 0; i < rounds.size(); ++i)
+      if (i != left_out) least = least ? least->cwiseMin(rounds[i]).eval() : rounds[i];
+    return least ? least->sum() / simulated_ : 0;
+  }
+
+  std::vector<VectorXd> lcp_, step_;
+  double simulated_ = 0;
 };
+
+/// `time` tells the time of a model with a round left out.
+template <class Time>
+Saving saving_of(const Rounds& model, const Rounds& reference, Time time) {
+  const auto saved = [&](std::size_t left_out) {
+    return 1 - time(model, left_out) / time(reference, left_out);
+  };
+  Saving saving{saved(Rounds::kNone), saved(Rounds::kNone), saved(Rounds::kNone)};
+  if (reference.count() < 2 || model.count() < reference.count()) return saving;
+  for (std::size_t i = 0; i < reference.count(); ++i) {
+    saving.low = std::min(saving.low, saved(i));
+    saving.high = std::max(saving.high, saved(i));
+  }
+  return saving;
+}
 
 /// A study while it is made.
 class Studied {
@@ -134,7 +157,7 @@ class Studied {
   bool goes_on(const Track& track) const { return track.broken.empty(); }
 
   ModelRow row_of(const SceneModel& model, const std::string& axis, const Track& track,
-                  const Rounds& rounds) const {
+                  const Rounds& rounds, const Rounds& reference) const {
     ModelRow row;
     row.model = model;
     row.axis = axis;
@@ -146,11 +169,12 @@ class Studied {
     row.failed = track.failed;
     row.n = track.n;
     row.passes = track.broken.empty() && exceeded(row.error, plan_.criteria).empty();
-    if (rounds.step.empty()) return row;
-    row.lcp = *observed_quantile(rounds.lcp, 0.5);
-    row.step = *observed_quantile(rounds.step, 0.5);
-    row.step_saved = saving_of(rounds.step_ratio);
-    if (!rounds.lcp_ratio.empty()) row.lcp_saved = saving_of(rounds.lcp_ratio);
+    if (rounds.empty()) return row;
+    row.lcp = rounds.lcp();
+    row.step = rounds.step();
+    row.step_saved = saving_of(rounds, reference, std::mem_fn(&Rounds::step));
+    if (reference.lcp() > 0)
+      row.lcp_saved = saving_of(rounds, reference, std::mem_fn(&Rounds::lcp));
     return row;
   }
 
@@ -170,16 +194,16 @@ class Studied {
         who.push_back(i + 2);
       }
       std::vector<Track> made = tracks(tasks);
-      for (std::size_t k = 0; k < made.size(); ++k) rounds[who[k]].add(made[k], made[0]);
+      for (std::size_t k = 0; k < made.size(); ++k) rounds[who[k]].add(made[k]);
       if (round == 0) first = std::move(made);
     }
-    study_.reference = row_of(reference_model_, "reference", first[0], rounds[0]);
-    study_.disturbed = row_of(reference_model_, "disturbed", first[1], rounds[1]);
-    for (const double ratio : rounds[1].step_ratio)
-      study_.time_noise = std::max(study_.time_noise, std::abs(1 - ratio));
+    study_.reference = row_of(reference_model_, "reference", first[0], rounds[0], rounds[0]);
+    study_.disturbed = row_of(reference_model_, "disturbed", first[1], rounds[1], rounds[0]);
+    const Saving& noise = study_.disturbed.step_saved;
+    study_.time_noise = std::max({study_.time_noise, std::abs(noise.low), std::abs(noise.high)});
     std::vector<ModelRow> rows;
     for (std::size_t i = 0; i < models.size(); ++i) {
-      rows.push_back(row_of(models[i], axis[i], first[i + 2], rounds[i + 2]));
+      rows.push_back(row_of(models[i], axis[i], first[i + 2], rounds[i + 2], rounds[0]));
     }
     return rows;
   }
@@ -200,13 +224,13 @@ class Studied {
   }
 
   void judge_times() {
-    for (ModelRow& row : study_.rows) row.cheaper = row.step_saved.median > study_.time_noise;
+    for (ModelRow& row : study_.rows) row.cheaper = row.step_saved.all > study_.time_noise;
   }
 
   /// The best rung of every axis that has one, those that save most first: places in `single_`.
   std::vector<std::size_t> best_of_each_axis() const {
     std::vector<std::size_t> best;
-    const auto saves = [&](std::size_t i) { return study_.rows[i].step_saved.median; };
+    const auto saves = [&](std::size_t i) { return study_.rows[i].step_saved.all; };
     for (std::size_t axis = 0; axis < axes(); ++axis) {
       std::optional<std::size_t> most;
       for (std::size_t i = 0; i < single_.size(); ++i)
@@ -233,8 +257,7 @@ class Studied {
     for (std::size_t i = 0; i < study_.rows.size(); ++i) {
       const ModelRow& row = study_.rows[i];
       if (!row.passes || !row.cheaper) continue;
-      if (!study_.cheapest ||
-          row.step_saved.median > study_.rows[*study_.cheapest].step_saved.median)
+      if (!study_.cheapest || row.step_saved.all > study_.rows[*study_.cheapest].step_saved.all)
         study_.cheapest = i;
     }
   }

@@ -42,15 +42,17 @@ struct StudyPlan {
   /// Simulations are compared up to where the reference and its disturbed self are this share of a
   /// tolerance apart: beyond, a difference says nothing about a model.
   double floor_share = 0.25;
-  int rounds = 3;  ///< Simulations of each model for its times; models take turns.
+  int rounds = 3;  ///< Simulations of each model for its times, the least of each frame; models
+                   ///< take turns.
   /// A model is stopped at so many times the computing time of the reference: it is not cheaper.
-  double patience = 2;
+  double patience = 4;
   std::chrono::nanoseconds silence = std::chrono::seconds(60);  ///< A step may last.
 };
 
 /// Part of the reference's time that a model saves, 1: all of it. Negative where it costs more.
 struct Saving {
-  double median = 0, low = 0, high = 0;  ///< Over the rounds.
+  double all = 0;            ///< By all rounds.
+  double low = 0, high = 0;  ///< With one round left out, whichever; `all` where there is only one.
 };
 
 /// How a model did.
@@ -64,7 +66,7 @@ struct ModelRow {
   Index frames = 0;          ///< With contact,
   Index failed = 0;          ///< and those whose frictional LCP failed.
   double n = 0;              ///< Mean size of the LCP.
-  double lcp = 0, step = 0;  ///< Computing time of LCPs and of all, s per simulated s; medians.
+  double lcp = 0, step = 0;  ///< Processor time of LCPs and of all, s per simulated s.
   Saving lcp_saved, step_saved;
   bool passes = false;   ///< It went to the end, all criteria met.
   bool cheaper = false;  ///< It saves more of the step's time than time_noise.
@@ -75,9 +77,9 @@ struct Study {
   StudyPlan plan;
   double horizon = 0;  ///< s, up to which simulations are compared.
   ModelRow reference;
-  ModelRow disturbed;          ///< The reference again, its error the noise floor,
-  double time_noise = 0;       ///< and the largest share of time that it saved or cost in a round.
-  std::vector<ModelRow> rows;  ///< Each axis alone, then combinations.
+  ModelRow disturbed;                   ///< The reference again, its error the noise floor,
+  double time_noise = 0;                ///< and the largest share of time that it saves or costs.
+  std::vector<ModelRow> rows;           ///< Each axis alone, then combinations.
   std::optional<std::size_t> cheapest;  ///< The row that passes and saves most.
 };
 

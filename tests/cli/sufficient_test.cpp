@@ -71,6 +71,8 @@ TEST_F(Sufficient, BadWordsAreOneLineAndStatus2) {
   expect_complaint({"sqat"}, 2, "unknown scene 'sqat', known are: hoist");
   expect_complaint({"squat", "--solver", "lemkey"}, 2, "unknown solver 'lemkey'");
   expect_complaint({"squat", "--duration", "3 apples"}, 2, "--duration");
+  expect_complaint({"squat", "net", "hoist", "--duration", "1s", "--duration", "2s"}, 2,
+                   "2 of them for 3 scenes");
   expect_complaint({"squat", "--force", "-1"}, 2, "--force");
   expect_complaint({"squat:dt=0.002", "--reference-dt", "1ms"}, 2, "its dt is given");
   expect_complaint({"squat", "--format", "latex"}, 2, "--format");
