@@ -13,25 +13,27 @@ namespace lcp {
 namespace {
 
 // Pixels.
-constexpr double kPageLeft = 92, kPanelWidth = 560, kPageHead = 44, kPanelHeight = 150,
-                 kBetween = 34, kPageFoot = 48, kKeyLine = 18, kKeyLetter = 6.7;
+constexpr double kPageLeft = 92, kPanelWidth = 560, kPageHead = 64, kPanelHeight = 150,
+                 kBetween = 34, kPageFoot = 60, kKeyLine = 18, kKeyLetter = 6.7;
 constexpr Index kDrawnParts = 250, kMarkerEvery = 30;
 
-/// What one panel shows. Values below `floor` stand at it: exact agreement has no logarithm.
+/// What one panel shows. Values below `floor` stand at it, since exact agreement has no logarithm, and
+/// those above `ceiling` at that.
 struct Quantity {
   const char* title;
-  double floor;
+  double floor, ceiling;
   std::function<double(const LoopSample&)> value;
 };
 
 const std::array<Quantity, 4>& quantities() {
   static const std::array<Quantity, 4> all{
-      {{"distance of links, largest (mm)", 1e-13,
+      {{"distance of links, largest (mm)", 1e-13, 1e6,
         [](const LoopSample& s) { return 1e3 * s.drift.distance; }},
-       {"difference of energy (J)", 1e-16, [](const LoopSample& s) { return s.drift.energy; }},
-       {"difference of overlap (mm)", 1e-13,
+       {"difference of energy (J)", 1e-16, 1e6, [](const LoopSample& s) { return s.drift.energy; }},
+       {"difference of overlap (mm)", 1e-13, 1e6,
         [](const LoopSample& s) { return 1e3 * s.drift.depth; }},
-       {"residual of the frame''s LCP", 1e-18, [](const LoopSample& s) { return s.residual; }}}};
+       {"natural residual of the frame''s LCP (10 and more at 10)", 1e-17, 10,
+        [](const LoopSample& s) { return s.residual; }}}};
   return all;
 }
 
@@ -44,8 +46,9 @@ std::string data_of(const LoopStudy& study) {
       out += fmt::format("{:.5g}", sample.time);
       for (const Quantity& quantity : quantities()) {
         const double value = quantity.value(sample);
-        out += std::isfinite(value) ? fmt::format(" {:.3g}", std::max(value, quantity.floor))
-                                    : std::string(" NaN");
+        out += std::isfinite(value)
+                   ? fmt::format(" {:.3g}", std::clamp(value, quantity.floor, quantity.ceiling))
+                   : std::string(" NaN");
       }
       out += '\n';
       any = true;
@@ -136,7 +139,7 @@ void draw_loop_study(const LoopStudy& study, const std::filesystem::path& svg) {
   page.commands += fmt::format(
       "set border 3 lc rgb '#555555'\nset tics nomirror\nset grid xtics ytics lc rgb '#e6e6e6' lt "
       "1 "
-      "lw 0.8\nset logscale y\nset format y '10^{{%L}}'\nset xrange [0:{:g}]\n",
+      "lw 0.8\nset logscale y\nset nomytics\nset format y '10^{{%L}}'\nset xrange [0:{:g}]\n",
       study.reference.simulated());
   for (std::size_t k = 0; k < quantities().size(); ++k) {
     page.commands += gnuplot_margins(

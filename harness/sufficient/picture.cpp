@@ -98,10 +98,11 @@ set logscale y
 set xrange [{low:.6g}:100]
 set yrange [{bottom:.6g}:{top:.6g}]
 set xtics nomirror 20 format '%g'
+set nomytics
 set ytics nomirror 10 format '10^{{%L}}'
 set grid xtics ytics lc rgb '#e6e6e6' lt 1 lw 0.8
-set xlabel 'saved of a step''s processor time (%)'
-set ylabel 'largest physical error / its tolerance'
+set xlabel 'saved of a step''s processor time (%; least: -100)'
+set ylabel 'largest physical error / its tolerance (least: 10^{{-4}})'
 set object 1 rectangle from graph 0, first 1 to graph 1, graph 1 fc rgb '#f2dcd3' fs solid 0.6 noborder behind
 set object 2 rectangle from graph 0, graph 0 to first 0, first 1 fc rgb '#eeeeee' fs solid 0.8 noborder behind
 set label 1 'fails' at graph 0.01, first 1 left offset 0,0.7 tc rgb '#a04000' font ',11'

@@ -1,7 +1,6 @@
 #include "harness/sufficient/study.h"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <array>

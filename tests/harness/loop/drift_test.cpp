@@ -98,8 +98,8 @@ TEST(Mechanisms, AreLinksHeldTogetherByJoints) {
   EXPECT_EQ(mechanisms(net).back(), 2);
 }
 
-Track short_squat(const std::string& scene = "squat:points=8", double disturbance = 0) {
-  NamedScene named = make_scene(scene);
+Track tracked_squat(double disturbance = 0) {
+  NamedScene named = make_scene("squat:points=8");
   named.setup.duration = 0.03;
   if (disturbance > 0) disturb_start(named, disturbance);
   const std::atomic<bool> never = false;
@@ -108,7 +108,7 @@ Track short_squat(const std::string& scene = "squat:points=8", double disturbanc
 }
 
 TEST(Track, HoldsWhatTheRobotStandsOn) {
-  const Track track = short_squat();
+  const Track track = tracked_squat();
   ASSERT_EQ(track.frames(), 30);
   EXPECT_EQ(track.centres.rows(), 3 * 21);
   EXPECT_EQ(track.travel.rows(), 2);
@@ -129,7 +129,7 @@ TEST(Track, SurvivesItsWayOutOfAProcess) {
       {{scene, "best-first", {}, "a"}}, {}, std::chrono::seconds(60),
       [&](const Progress&) { ++beats; }, never);
   ASSERT_TRUE(tracks.has_value());
-  const Track here = short_squat(), &there = tracks->front();
+  const Track here = tracked_squat(), &there = tracks->front();
   EXPECT_EQ(there.centres, here.centres);
   EXPECT_EQ(there.impulse, here.impulse);
   EXPECT_EQ(there.travel, here.travel);
@@ -138,8 +138,7 @@ TEST(Track, SurvivesItsWayOutOfAProcess) {
 }
 
 TEST(Track, ASmallDisturbanceStaysSmallWhereBodiesStand) {
-  const Track here = short_squat(), again = short_squat(),
-              disturbed = short_squat("squat:points=8", 1e-9);
+  const Track here = tracked_squat(), again = tracked_squat(), disturbed = tracked_squat(1e-9);
   EXPECT_EQ(here.centres, again.centres);
   const Drift most = largest(drift(disturbed, here, kWindow), kForever);
   EXPECT_GT(most.distance, 0);

@@ -9,7 +9,7 @@
 namespace lcp {
 namespace {
 
-LoopStudy made(const std::vector<std::string>& solvers) {
+LoopStudy driven(const std::vector<std::string>& solvers) {
   LoopPlan plan;
   plan.scene = "squat:points=8";
   plan.duration = 0.03;
@@ -25,7 +25,7 @@ Drift most_of(const LoopLine& line) {
 }
 
 TEST(LoopStudy, TheReferenceDrivesItselfWithoutDrift) {
-  const LoopStudy study = made({"best-first"});
+  const LoopStudy study = driven({"best-first"});
   ASSERT_EQ(study.lines.size(), 3u);
   EXPECT_EQ(most_of(study.lines[2]).distance, 0);
   EXPECT_EQ(most_of(study.lines[2]).energy, 0);
@@ -33,7 +33,7 @@ TEST(LoopStudy, TheReferenceDrivesItselfWithoutDrift) {
 }
 
 TEST(LoopStudy, TheControlsAreDisturbedAndFiner) {
-  const LoopStudy study = made({});
+  const LoopStudy study = driven({});
   ASSERT_EQ(study.lines.size(), 2u);
   const Drift disturbed = most_of(study.lines[0]), halved = most_of(study.lines[1]);
   EXPECT_GT(disturbed.distance, 0);
@@ -44,7 +44,7 @@ TEST(LoopStudy, TheControlsAreDisturbedAndFiner) {
 }
 
 TEST(LoopStudy, ASolverThatFindsNoForcesPartsAndOneThatCrashesIsALine) {
-  const LoopStudy study = made({"nan-maker", "crasher"});
+  const LoopStudy study = driven({"nan-maker", "crasher"});
   const LoopLine &without = study.lines[2], &crashed = study.lines[3];
   EXPECT_EQ(without.track.failed, without.track.contact_frames);
   EXPECT_TRUE(departed(without, 1e-3).has_value()) << "it falls";
@@ -103,7 +103,7 @@ TEST(LoopLine, IsThinnedToTheLargestOfEachPart) {
 }
 
 TEST(LoopStudy, TheCurvesAreALineForEachPart) {
-  const LoopStudy study = made({"best-first"});
+  const LoopStudy study = driven({"best-first"});
   const std::string csv = render(study, TableFormat::csv);
   EXPECT_GE(std::count(csv.begin(), csv.end(), '\n'), 1 + 3 * 30);
   EXPECT_THROW(render(study, TableFormat::latex), std::invalid_argument);
