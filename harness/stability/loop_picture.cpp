@@ -75,7 +75,7 @@ std::string panel_of(const LoopStudy& study, std::size_t k) {
 std::string styles(const LoopStudy& study) {
   static const std::array<const char*, 7> colours = {"#0072B2", "#D55E00", "#009E73", "#CC79A7",
                                                      "#E69F00", "#56B4E9", "#000000"};
-  static const std::array<int, 7> markers = {7, 5, 9, 13, 11, 6, 4};
+  static const std::array<int, 8> markers = {7, 5, 9, 13, 11, 6, 4, 12};
   std::string out;
   std::size_t solver = 0;
   for (std::size_t i = 0; i < study.lines.size(); ++i) {

@@ -18,9 +18,9 @@ namespace {
 
 constexpr double kLeastPatience = 1;  // s
 
-/// An answer acts whatever its residual; NaN does not.
+/// An answer acts whatever its residual, but for one that is not finite.
 constexpr Acceptance kAnyResidual{Acceptance::Criterion::residual,
-                                  std::numeric_limits<double>::infinity()};
+                                  std::numeric_limits<double>::max()};
 
 struct Interrupted {};
 
