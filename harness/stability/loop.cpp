@@ -19,7 +19,7 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 constexpr double kForceWindow = 0.02;  // s
-constexpr Index kFileParts = 100;      // of the duration, in files
+constexpr Index kFileParts = 50;       // of the duration, in files
 constexpr double kMillimetres = 1e3;   // in a metre
 
 NamedScene scene_of(const LoopPlan& plan) {

@@ -15,7 +15,7 @@ namespace {
 // Pixels.
 constexpr double kPageLeft = 92, kPanelWidth = 560, kPageHead = 64, kPanelHeight = 150,
                  kBetween = 34, kPageFoot = 60, kKeyLine = 18, kKeyLetter = 6.7;
-constexpr Index kDrawnParts = 250, kMarkerEvery = 30;
+constexpr Index kDrawnParts = 125, kMarkerEvery = 15;
 
 /// What one panel shows. Values below `floor` stand at it, since exact agreement has no logarithm, and
 /// those above `ceiling` at that.
