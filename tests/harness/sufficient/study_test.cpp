@@ -48,7 +48,7 @@ TEST(Criteria, TheWorstOverItsToleranceDecides) {
 
 TEST(Sufficient, FrictionlessIsRejectedOnHoist) {
   const Study study =
-      made(plan_of("hoist:links=8,lift=0,toss=0", 0.1, "friction", {"frictionless"}));
+      made(plan_of("hoist:links=8,lift=0,toss=0,dt=0.002", 0.12, "friction", {"frictionless"}));
   ASSERT_EQ(study.rows.size(), 1u);
   const ModelRow& row = study.rows.front();
   EXPECT_TRUE(row.broken.empty()) << row.broken;
