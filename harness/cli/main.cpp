@@ -79,11 +79,11 @@ int run_program(int argc, char** argv) {
   program.require_subcommand(1);
   program.footer("Examples:\n  lcpbench run --suite small\n  lcpbench run --help");
   const std::vector<Verb> verbs = {
-      add_list(program),    add_generate(program),    add_simulate(program),  add_solve(program),
-      add_run(program),     add_table(program),       add_sheet(program),     add_sweep(program),
-      add_merge(program),   add_report(program),      add_stability(program), add_shrink(program),
-      add_replay(program),  add_compare(program),     add_paper(program),     add_info(program),
-      add_convert(program), add_test_solver(program),
+      add_list(program),   add_generate(program),   add_simulate(program),    add_solve(program),
+      add_run(program),    add_table(program),      add_sheet(program),       add_sweep(program),
+      add_merge(program),  add_report(program),     add_stability(program),   add_shrink(program),
+      add_replay(program), add_sufficient(program), add_compare(program),     add_paper(program),
+      add_info(program),   add_convert(program),    add_test_solver(program),
   };
 
   const Verb* verb = nullptr;

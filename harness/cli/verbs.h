@@ -43,6 +43,7 @@ Verb add_shrink(CLI::App& program);
 Verb add_simulate(CLI::App& program);
 Verb add_solve(CLI::App& program);
 Verb add_stability(CLI::App& program);
+Verb add_sufficient(CLI::App& program);
 Verb add_sweep(CLI::App& program);
 Verb add_table(CLI::App& program);
 Verb add_test_solver(CLI::App& program);

@@ -5,7 +5,11 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <ctime>
 #include <numbers>
+
+#include "harness/measure/solve.h"
+#include "problems/contact/islands.h"
 
 namespace lcp {
 
@@ -19,6 +23,33 @@ constexpr double kViolation = 1e-6;
 std::int64_t since(Clock::time_point begin) {
   return std::chrono::duration_cast<std::chrono::nanoseconds>(Clock::now() - begin).count();
 }
+
+/// Wall-clock and processor time that passed.
+struct Elapsed {
+  std::int64_t wall_ns = 0, cpu_ns = 0;
+
+  Elapsed& operator+=(const Elapsed& more) {
+    wall_ns += more.wall_ns;
+    cpu_ns += more.cpu_ns;
+    return *this;
+  }
+};
+
+/// Runs from where it is made.
+class Stopwatch {
+ public:
+  Elapsed read() const { return {since(begin_), processor_ns() - cpu_begin_}; }
+
+ private:
+  static std::int64_t processor_ns() {
+    timespec time;
+    clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &time);
+    return std::int64_t{1'000'000'000} * time.tv_sec + time.tv_nsec;
+  }
+
+  Clock::time_point begin_ = Clock::now();
+  std::int64_t cpu_begin_ = processor_ns();
+};
 
 /// Judges by the loop's criterion. A claim other than solved stays what it is.
 Judgement judge_by(const Acceptance& acceptance, const Problem& problem, const Result& result) {
@@ -63,32 +94,40 @@ class DrivenSimulation {
         acceptance_(acceptance),
         look_(look) {
     contact_solver_.solve = [this](const Problem& problem, const Call& call) {
-      const Clock::time_point begin = Clock::now();
-      Result result = solver_.solver->solve(problem, call);
-      solves_ns_.push_back(since(begin));
+      const Stopwatch splitting;
+      const std::vector<Island> islands =
+          has_islands(problem) ? split_islands(problem) : std::vector<Island>{};
+      outside_ += splitting.read();
+      const Stopwatch solving;
+      Result result = islands.empty()
+                          ? solver_.solver->solve(problem, call)
+                          : solve_islands(*solver_.solver, islands, problem.size(), call);
+      solves_.push_back(solving.read());
       return result;
     };
     contact_solver_.accept = [this](const Problem& problem, const Result& result) {
-      const Clock::time_point begin = Clock::now();
+      const Stopwatch judging;
       judgements_.push_back(judge_by(acceptance_, problem, result));
-      outside_ns_ += since(begin);
+      outside_ += judging.read();
       return judgements_.back().verdict == Verdict::solved;
     };
   }
 
   FrameRecord step() {
-    solves_ns_.clear();
+    solves_.clear();
     judgements_.clear();
-    outside_ns_ = 0;
+    outside_ = {};
     FrameRecord record;
-    const Clock::time_point begin = Clock::now();
+    const Stopwatch stepping;
     simulation_.step(contact_solver_, [&](const Frame& frame) {
-      const Clock::time_point looking = Clock::now();
+      const Stopwatch looking;
       describe(frame, record);
       if (look_) look_(simulation_, frame, record);
-      outside_ns_ += since(looking);
+      outside_ += looking.read();
     });
-    record.step_ns = since(begin) - outside_ns_;
+    const Elapsed step = stepping.read();
+    record.step_ns = step.wall_ns - outside_.wall_ns;
+    record.step_cpu_ns = step.cpu_ns - outside_.cpu_ns;
     return record;
   }
 
@@ -145,9 +184,11 @@ class DrivenSimulation {
     record.applied = solution.applied;
     record.violated = violated_contacts(solution);
     record.work = solution.with_friction.work;
+    for (const Elapsed& solve : solves_) record.lcp_cpu_ns += solve.cpu_ns;
+    record.frictional_ns = solves_.back().wall_ns;
+    if (solves_.size() == 1) return;  // no friction: the two are one
     record.frictionless_work = solution.without_friction.work;
-    record.frictionless_ns = solves_ns_.front();
-    record.frictional_ns = solves_ns_.back();
+    record.frictionless_ns = solves_.front().wall_ns;
   }
 
   Simulation simulation_;
@@ -155,9 +196,9 @@ class DrivenSimulation {
   const Acceptance& acceptance_;
   const FrameLook& look_;
   ContactSolver contact_solver_;
-  std::vector<std::int64_t> solves_ns_;  ///< Of the frame: frictionless, frictional.
-  std::vector<Judgement> judgements_;    ///< Likewise.
-  std::int64_t outside_ns_ = 0;
+  std::vector<Elapsed> solves_;        ///< Of the frame: frictionless, frictional.
+  std::vector<Judgement> judgements_;  ///< Likewise.
+  Elapsed outside_;                    ///< What the frame spent on judging and looking.
   double yaw_ = 0;
   double work_ = 0, power_ = 0;  ///< J, W, of what pulls.
 };

@@ -27,11 +27,14 @@ struct FrameRecord {
   Accuracy accuracy = {};  ///< Of the frictional answer.
   Index violated = 0;      ///< Contacts whose w_a is below -1e-6 s_w under the forces that act.
   Work work;               ///< Of the frictional solve,
-  Work frictionless_work;  ///< and of the one before.
+  Work frictionless_work;  ///< and of the one before, which is none where nothing has friction.
   std::int64_t frictional_ns = 0, frictionless_ns = 0;
   std::int64_t step_ns = 0;  ///< The whole step, solves included; no judging, no looking.
-  double depth = 0;          ///< Largest overlap, m.
-  double approach = 0;       ///< Largest speed at which a contact closes, m/s.
+  /// The same of both solves and of the step in processor time of the process, to which waiting for
+  /// a busy machine adds nothing.
+  std::int64_t lcp_cpu_ns = 0, step_cpu_ns = 0;
+  double depth = 0;     ///< Largest overlap, m.
+  double approach = 0;  ///< Largest speed at which a contact closes, m/s.
   Vector3d centre_of_mass = Vector3d::Zero(), com_velocity = Vector3d::Zero();
   double yaw = 0;                       ///< Of the first link, rad, continued over turns.
   double tilt = 0;                      ///< Angle between its z axis and the vertical, rad.
@@ -64,7 +67,8 @@ struct LoopRun {
 using FrameLook = std::function<void(const Simulation&, const Frame&, const FrameRecord&)>;
 
 /// Simulates a scene with a solver in the loop: the forces it finds move the bodies. An answer that
-/// is not accepted counts as failed and the frictionless one acts (paper V-A). Before a step that
+/// is not accepted counts as failed and the frictionless one acts (paper V-A). Contacts that do not
+/// influence one another are solved apart (islands). Before a step that
 /// would begin `limit` s of wall-clock time after the first it stops.
 LoopRun run_in_the_loop(const NamedScene& scene, const NamedSolver& solver,
                         const Acceptance& acceptance, const FrameLook& look,

@@ -87,7 +87,7 @@ Result expanded(const Result& part, const FrictionBlocks& part_rows, const Probl
 
 /// Contacts whose normals the frictional LCP starts from.
 std::vector<Index> normals_of_start(const std::vector<Index>& active, const ContactModel& model,
-                            const MatrixXd& W_nn) {
+                                    const MatrixXd& W_nn) {
   return model.start == ContactModel::Start::all_active
              ? active
              : independent_contacts(active, W_nn, kIndependentContacts);
@@ -111,6 +111,18 @@ Result solve_active_only(const ContactProblem& problem, const ContactModel& mode
         call.start->alpha.push_back(part.friction->normal_row[k]);
   }
   return expanded(solver.solve(part, call), *part.friction, solution.frictional, active);
+}
+
+/// The rule of V-A.
+void apply(const ContactProblem& problem, ContactSolution& solution) {
+  solution.forces = VectorXd::Zero(3 * problem.size());
+  if (solution.solved_with) {
+    solution.applied = Applied::frictional;
+    solution.forces = contact_forces(*solution.frictional.friction, solution.with_friction.z);
+  } else if (solution.solved_without) {
+    solution.applied = Applied::frictionless;
+    solution.forces = contact_forces(*solution.frictionless.friction, solution.without_friction.z);
+  }
 }
 
 }  // namespace
@@ -139,12 +151,17 @@ ContactSolution solve_contacts(const ContactProblem& problem, const ContactModel
   if (solution.solved_without)
     active = active_contacts(solution.without_friction, *solution.frictionless.friction);
   if (active) solution.active = static_cast<Index>(active->size());
+  if (!has_friction(solution.frictional)) {
+    solution.with_friction = solution.without_friction;
+    solution.solved_with = solution.solved_without;
+    apply(problem, solution);
+    return solution;
+  }
 
-  const bool has_start = model.start == ContactModel::Start::previous ? previous.has_value()
-                                                                : active.has_value();
+  const bool has_start =
+      model.start == ContactModel::Start::previous ? previous.has_value() : active.has_value();
   if (active && model.active_only) {
-    solution.with_friction =
-        solve_active_only(problem, model, *active, solution, solver, previous);
+    solution.with_friction = solve_active_only(problem, model, *active, solution, solver, previous);
   } else {
     const FrictionBlocks& rows = *solution.frictional.friction;
     Call call;
@@ -162,14 +179,7 @@ ContactSolution solve_contacts(const ContactProblem& problem, const ContactModel
     ++solution.with_friction.work.restarts;
   solution.solved_with = solver.accept(solution.frictional, solution.with_friction);
 
-  solution.forces = VectorXd::Zero(3 * problem.size());
-  if (solution.solved_with) {
-    solution.applied = Applied::frictional;
-    solution.forces = contact_forces(*solution.frictional.friction, solution.with_friction.z);
-  } else if (solution.solved_without) {
-    solution.applied = Applied::frictionless;
-    solution.forces = contact_forces(*solution.frictionless.friction, solution.without_friction.z);
-  }
+  apply(problem, solution);
   return solution;
 }
 

@@ -58,8 +58,10 @@ struct ContactSolution {
 /// the frictional answer is not accepted the frictionless one acts, and where that is not either,
 /// nothing does. `previous` is the frictional solution of the frame before, where that was accepted.
 /// Without what the model wants to start from (an accepted frictionless basis, or `previous`), the
-/// frictional LCP is started cold and that counts as a restart. Source: K. Yamane, Y. Nakamura, "A Numerically Robust LCP
-/// Solver for Simulating Articulated Rigid Bodies in Contact", RSS 2008, IV-C, V-A.
+/// frictional LCP is started cold and that counts as a restart. Where no contact has friction the
+/// two are the same LCP: it is solved once, cold, and its answer is both. Source: K. Yamane,
+/// Y. Nakamura, "A Numerically Robust LCP Solver for Simulating Articulated Rigid Bodies in
+/// Contact", RSS 2008, IV-C, V-A.
 ContactSolution solve_contacts(const ContactProblem& problem, const ContactModel& model,
                                const ContactSolver& solver,
                                const std::optional<SolutionByContact>& previous = {});

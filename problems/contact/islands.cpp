@@ -98,6 +98,10 @@ Island part_of_contacts(const Problem& problem, const std::vector<Index>& contac
   return island;
 }
 
+bool has_islands(const Problem& problem) {
+  return problem.friction && components(problem.friction->W).size() > 1;
+}
+
 std::vector<Island> split_islands(const Problem& problem) {
   std::vector<Index> all(problem.size());
   std::iota(all.begin(), all.end(), Index{0});

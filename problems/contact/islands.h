@@ -26,4 +26,7 @@ Island part_of_contacts(const Problem& problem, const std::vector<Index>& contac
 /// rows. Throws std::invalid_argument when the islands do not share out every row exactly once.
 std::vector<Island> split_islands(const Problem& problem);
 
+/// Whether that gives more than one; copies nothing.
+bool has_islands(const Problem& problem);
+
 }  // namespace lcp

@@ -6,4 +6,6 @@ namespace lcp::cli {
 
 /// The parts of the verb `stability`, one per file.
 
+Verb add_stability_loop(CLI::App& page);
+
 }  // namespace lcp::cli

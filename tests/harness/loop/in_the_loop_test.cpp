@@ -7,6 +7,7 @@
 #include <thread>
 
 #include "harness/loop/summary.h"
+#include "problems/contact/islands.h"
 
 namespace lcp {
 namespace {
@@ -79,6 +80,40 @@ TEST(InTheLoop, AMethodWithoutABasisStartsCold) {
   const LoopSummary summary = summary_of(run);
   EXPECT_EQ(summary.restarts, summary.total_frames);
   EXPECT_GT(summary.success, 0);
+}
+
+TEST(InTheLoop, ContactsThatDoNotInfluenceOneAnotherAreSolvedApart) {
+  NamedScene scene = make_scene("net:strings=8,cylinders=8");
+  scene.setup.duration = 0.06;
+  scene.setup.stepping.dt = 0.002;
+  const std::atomic<bool> never = false;
+  std::size_t most = 0;
+  const auto frames_with = [&](const NamedSolver& solver) {
+    return run_in_the_loop(
+        scene, solver, {},
+        [&](const Simulation&, const Frame& frame, const FrameRecord& record) {
+          if (record.contacts == 0) return;
+          most = std::max(most, split_islands(frame.solution.frictional).size());
+          EXPECT_EQ(record.frictional, Verdict::solved);
+          EXPECT_LE(record.accuracy.residual, 1e-6);
+        },
+        never);
+  };
+  const NamedSolver solver = make_solver("best-first");
+  EXPECT_EQ(frames_with(solver).frames.size(), 30u);
+  EXPECT_GT(most, 1u) << "nothing is tested without islands";
+  // Asked for each island apart: no problem that the solver sees has islands.
+  struct Watched final : Solver {
+    Result solve(const Problem& problem, const Call& call) const override {
+      EXPECT_FALSE(has_islands(problem));
+      return inner->solve(problem, call);
+    }
+    OptionTable options() override { return {}; }
+    std::shared_ptr<Solver> inner;
+  };
+  const auto watched = std::make_shared<Watched>();
+  watched->inner = solver.solver;
+  frames_with({solver.spelling, solver.info, watched});
 }
 
 TEST(InTheLoop, StopsWhenInterrupted) {

@@ -114,6 +114,33 @@ TEST(SolveContacts, DoesNotApplyWhatIsClaimedButNotAccepted) {
             Applied::frictionless);
 }
 
+TEST(SolveContacts, WithoutFrictionThereIsOneLcpAndItIsSolvedOnce) {
+  ContactProblem problem = four_contacts();
+  for (Contact& contact : problem.contacts) contact.mu = 0;
+  for (const Begin start : {Begin::two_step, Begin::previous, Begin::cold}) {
+    std::vector<Question> asked;
+    const ContactSolution solution =
+        solve_contacts(problem, {.friction = kFour, .start = start}, scripted(asked));
+    ASSERT_EQ(asked.size(), 1u);
+    EXPECT_EQ(asked.front().problem.size(), problem.size()) << "no tangential rows";
+    EXPECT_FALSE(asked.front().call.start.has_value());
+    EXPECT_EQ(solution.applied, Applied::frictional);
+    EXPECT_EQ(solution.with_friction.work.restarts, 0);
+    EXPECT_EQ(solution.forces,
+              contact_forces(*solution.frictional.friction, solution.without_friction.z));
+  }
+}
+
+TEST(SolveContacts, WithoutFrictionOneFailureIsBoth) {
+  ContactProblem problem = four_contacts();
+  for (Contact& contact : problem.contacts) contact.mu = 0;
+  std::vector<Question> asked;
+  const ContactSolution solution = solve_contacts(
+      problem, {.friction = kFour}, scripted(asked, [](const Problem&) { return true; }));
+  EXPECT_EQ(solution.applied, Applied::none);
+  EXPECT_EQ(solution.forces.norm(), 0);
+}
+
 TEST(SolveContacts, TwoStepStartsFromTheNormalsThatAreActiveWithoutFriction) {
   std::vector<Question> asked;
   const ContactSolution solution = solve_contacts(

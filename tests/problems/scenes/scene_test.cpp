@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <numbers>
 
 #include "problems/scenes/humanoid/magnum.h"
@@ -46,6 +47,32 @@ TEST(Scenes, RefuseUnknownNamesAndKnobs) {
   EXPECT_THROW(make_scene("sqat"), std::invalid_argument);
   EXPECT_THROW(make_scene("squat:pints=8"), std::invalid_argument);
   EXPECT_THROW(make_scene("squat:drop=1"), std::invalid_argument) << "out of range";
+}
+
+/// Whether the detector finds `link` touching anything when it is put where another link is, or
+/// lowered by 5 cm.
+bool can_touch(const System& system, Index link) {
+  const Kinematics start = kinematics(system.model, system.start);
+  std::vector<Pose> places = start.pose;
+  places[link].p.z() -= 0.05;
+  for (const Pose& place : places) {
+    Kinematics moved = start;
+    moved.pose[link] = place;
+    for (const ContactPoint& point : system.collide(moved))
+      if (point.id.body1 == body_of(link) || point.id.body2 == body_of(link)) return true;
+  }
+  return false;
+}
+
+TEST(Scenes, HaveHandlesOnThoseLinksThatCanTouchSomethingAndOnNoOthers) {
+  for (const SceneRow& row : scenes()) {
+    const System system = make_scene(row.info.name).setup.system;
+    for (Index link = 0; link < system.model.size(); ++link) {
+      const bool is_handle = std::binary_search(system.handles.begin(), system.handles.end(), link);
+      EXPECT_EQ(is_handle, can_touch(system, link))
+          << row.info.name << ": " << system.model.link(link).name;
+    }
+  }
 }
 
 TEST(Squat, BendsTheKneesByMoreThan60Degrees) {
