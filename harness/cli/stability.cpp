@@ -8,7 +8,7 @@ Verb add_stability(CLI::App& program) {
       "stability", "Test methods where they fail: disturbed data, families made harder, scenes");
   page->require_subcommand(1);
   page->footer("Example:\n  lcpbench stability perturb --help");
-  return {page, {}, {}};
+  return {page, {}, {add_stability_perturb(*page)}};
 }
 
 }  // namespace lcp::cli

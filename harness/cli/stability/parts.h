@@ -5,5 +5,6 @@
 namespace lcp::cli {
 
 /// The parts of the verb `stability`, one per file.
+Verb add_stability_perturb(CLI::App& page);
 
 }  // namespace lcp::cli
