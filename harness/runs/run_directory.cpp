@@ -147,9 +147,9 @@ class RunSession {
       : directory_(directory), settings_(std::move(settings)) {
     const bool there = fs::exists(directory);
     if (there && existing == Existing::refuse)
-      throw std::invalid_argument(fmt::format(
-          "{} exists: --resume continues it; or name a new directory, or move it aside",
-          directory.string()));
+      throw std::invalid_argument(
+          fmt::format("{} exists: --resume continues it; or name a new directory, or move it aside",
+                      directory.string()));
     begun_ = there && fs::exists(directory / "run.json");
     if (there && !begun_ && fs::exists(directory / "rows.jsonl"))
       throw std::invalid_argument(fmt::format(

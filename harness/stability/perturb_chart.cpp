@@ -99,7 +99,7 @@ std::string page_head(const std::vector<DrawnSolver>& solvers, const Flips& flip
       "run, in %' {} left font ',12' tc rgb '#555555'\n",
       instances, at(names_margin, 44));
   out += fmt::format(
-      "set label 3 'Bars: Wilson 95%% interval, as if runs of one instance were independent. "
+      "set label 3 'Bars: Wilson 95% interval, as if runs of one instance were independent. "
       "Filled marker: no flip seen.' {} left font ',11' tc rgb '#555555'\n",
       at(names_margin, height - 34));
   out += fmt::format(
@@ -115,7 +115,7 @@ std::string script_baseline(const std::vector<DrawnSolver>& solvers) {
   for (std::size_t k = 0; k < solvers.size(); ++k)
     out += fmt::format("{}'{}' {}", k > 0 ? ", " : "", fit_for_gnuplot(solvers[k].label), k);
   out += fmt::format(
-      R"() nomirror scale 0 noenhanced font ',11' offset 0,0
+      R"() nomirror scale 0 noenhanced font ',11' tc rgb '#222222'
 set xlabel 'instances (%)' font ',11'
 plot DATA index 0 using (0):1:(0):2:($1-0.3):($1+0.3) with boxxyerror fs solid 1 noborder lc rgb '#bbbbbb', \
      DATA index 0 using (98):1:6 with labels right font ',10' tc rgb '#222222'
@@ -123,7 +123,7 @@ unset label 1
 unset label 2
 unset label 3
 unset label 4
-set ytics format ''
+unset ytics
 )");
   return out;
 }
@@ -155,7 +155,8 @@ void draw_flips(const Flips& flips, const std::filesystem::path& svg) {
   const std::size_t columns = 1 + flips.options.kinds.size();
   const double panel_height = solver_height * static_cast<double>(solvers.size());
 
-  GnuplotPage page{.title = "Flip rate of every solver under every kind of disturbance."};
+  GnuplotPage page;
+  page.title = "Flip rate of every solver under every kind of disturbance.";
   page.width = names + static_cast<double>(columns) * (column_width + column_gap) + names_margin;
   page.height = names_top + panel_height + foot_height;
   page.commands = page_head(solvers, flips, page.width, page.height);
@@ -166,8 +167,8 @@ void draw_flips(const Flips& flips, const std::filesystem::path& svg) {
   std::size_t column = 0;
   const auto place = [&] {
     const double left = names + static_cast<double>(column) * (column_width + column_gap);
-    page.commands += gnuplot_margins({left, column_width - 8, names_top, panel_height}, page.width,
-                                     page.height);
+    page.commands +=
+        gnuplot_margins({left, column_width - 8, names_top, panel_height}, page.width, page.height);
   };
   place();
   page.commands += script_baseline(solvers);

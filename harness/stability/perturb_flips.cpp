@@ -7,6 +7,7 @@
 #include "harness/observed_quantile.h"
 #include "harness/suites.h"
 #include "harness/tables/table.h"
+#include "problems/contact/friction_lcp.h"
 
 namespace lcp {
 
@@ -17,19 +18,33 @@ constexpr double normal_97_5 = 1.959963984540054;  // Quantile of the normal dis
 /// A disturbed run with its answer in the original problem's terms.
 struct Run {
   const Record* record;
-  VectorXd z, w;  ///< Empty unless solved.
+  VectorXd z, w;    ///< Empty unless solved.
+  VectorXd motion;  ///< Contact velocities v+; w where there are no contacts.
 
   bool solved() const { return record->verdict == Verdict::solved; }
 };
 
 Run run_of(const Record& record, const Problem& original,
            const std::function<VectorXd(const VectorXd&)>& back) {
-  Run run{&record, {}, {}};
+  Run run{&record, {}, {}, {}};
   if (run.solved() && record.z) {
     run.z = back ? back(*record.z) : *record.z;
     run.w = original.M * run.z + original.q;
+    run.motion = original.friction ? post_velocities(*original.friction,
+                                                     contact_forces(*original.friction, run.z))
+                                   : run.w;
   }
   return run;
+}
+
+/// What velocities (w, without contacts) are compared in.
+VectorXd motion_scales(const Problem& problem) {
+  if (!problem.friction || problem.friction->contacts() == 0) return problem.s_w;
+  const FrictionBlocks& blocks = *problem.friction;
+  VectorXd scales(3 * blocks.contacts());
+  for (Index i = 0; i < blocks.contacts(); ++i)
+    scales.segment<3>(3 * i).setConstant(problem.s_w(blocks.normal_row[i]));
+  return scales;
 }
 
 bool same_vector(const VectorXd& one, const VectorXd& two, const VectorXd& scales, double same) {
@@ -83,8 +98,8 @@ void count_verdicts(FlipRow& row, const Run& baseline, const std::vector<Run>& t
     row.lost += baseline.solved() && !trial.solved();
     row.gained += !baseline.solved() && trial.solved();
     flips += baseline.solved() != trial.solved();
-    row.other_changes += !baseline.solved() && !trial.solved() &&
-                         baseline.record->verdict != trial.record->verdict;
+    row.other_changes +=
+        !baseline.solved() && !trial.solved() && baseline.record->verdict != trial.record->verdict;
   }
   row.instances_flipped += flips > 0;
 }
@@ -104,6 +119,8 @@ void count_answers(FlipRow& row, Samples& samples, const Problem& original,
     if (!same_vector(run->z, solved.front()->z, original.s_z, same)) {
       ++row.other_z;
       row.other_z_same_w += same_vector(run->w, solved.front()->w, original.s_w, same);
+      row.other_z_same_motion +=
+          same_vector(run->motion, solved.front()->motion, motion_scales(original), same);
     }
   }
   row.several += distinct.size() > 1;
@@ -228,16 +245,15 @@ Flips count_flips(const std::vector<Instance>& instances, const std::vector<Reco
       if (const std::string reason = reason_against(kind, instance.problem); !reason.empty())
         add_reason(flips.not_applicable, {corpus, to_string(kind), reason, 1});
     for (const auto& entrant : rows.entrants()) {
-      const Record* undisturbed =
-          rows.find(instance, entrant, hash_from(instance, entrant.second));
+      const Record* undisturbed = rows.find(instance, entrant, hash_from(instance, entrant.second));
       if (!undisturbed) continue;
       const Run baseline = run_of(*undisturbed, instance.problem, {});
       for (const std::string& kind : kinds) {
         std::vector<Run> runs;
         for (const auto& [of_kind, version] : disturbed) {
           if (of_kind != kind) continue;
-          if (const Record* record = rows.find(version.instance, entrant,
-                                               hash_from(version.instance, entrant.second)))
+          if (const Record* record =
+                  rows.find(version.instance, entrant, hash_from(version.instance, entrant.second)))
             runs.push_back(run_of(*record, instance.problem, version.back));
         }
         if (runs.empty() && kind != "baseline") continue;

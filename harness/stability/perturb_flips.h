@@ -23,15 +23,15 @@ struct FlipRow {
   std::string corpus;
   std::string solver;  ///< Full spelling.
   std::string start;
-  std::string label;  ///< As in a table.
-  std::string kind;   ///< `baseline` or that of a disturbance.
-  Index instances = 0;       ///< That count: met, and neither trivial nor out of the solver's reach.
-  Index trials = 0;          ///< Runs that count, of all of them; of `baseline`, the instances.
-  Index solved = 0;          ///< Of the trials.
-  Index baseline_solved = 0; ///< Of the trials: their instance is solved undisturbed.
-  Index lost = 0;            ///< Solved undisturbed, not solved disturbed.
-  Index gained = 0;          ///< The reverse.
-  Index other_changes = 0;   ///< Solved in neither, and another verdict (ray -> wrong).
+  std::string label;    ///< As in a table.
+  std::string kind;     ///< `baseline` or that of a disturbance.
+  Index instances = 0;  ///< That count: met, and neither trivial nor out of the solver's reach.
+  Index trials = 0;     ///< Runs that count, of all of them; of `baseline`, the instances.
+  Index solved = 0;     ///< Of the trials.
+  Index baseline_solved = 0;    ///< Of the trials: their instance is solved undisturbed.
+  Index lost = 0;               ///< Solved undisturbed, not solved disturbed.
+  Index gained = 0;             ///< The reverse.
+  Index other_changes = 0;      ///< Solved in neither, and another verdict (ray -> wrong).
   Index instances_flipped = 0;  ///< Instances with at least one flip.
 
   /// Instances solved in at least two runs, the undisturbed one among them or not; of the z mapped
@@ -39,11 +39,17 @@ struct FlipRow {
   Index compared = 0;
   Index several = 0;
   Index most_distinct = 0;
-  Index other_z = 0;  ///< Solved runs whose z is not that of the first solved run (undisturbed first),
-  Index other_z_same_w = 0;  ///< and of these, those whose w = M z + q is.
+  Index other_z =
+      0;  ///< Solved runs whose z is not that of the first solved run (undisturbed first),
+  Index other_z_same_w = 0;  ///< of these, those whose w = M z + q is,
+  /// and those that move the contacts alike: v+ = W f + vbar, within `same` of the scale of velocities.
+  /// Forces may be undetermined (and with them z and the w of rows lambda) where motion is not. Without
+  /// friction blocks the same as other_z_same_w.
+  Index other_z_same_motion = 0;
 
-  std::optional<double> pivots;        ///< Median over solved runs.
-  std::optional<double> pivot_ratio;   ///< Most over least of the solved runs of one instance: median
+  std::optional<double> pivots;  ///< Median over solved runs.
+  std::optional<double>
+      pivot_ratio;  ///< Most over least of the solved runs of one instance: median
   std::optional<double> pivot_ratio_max;  ///< and largest over the instances `compared`.
 
   Index trivial = 0;      ///< Instances that z = 0 solves; not counted above.

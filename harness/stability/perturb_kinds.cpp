@@ -24,9 +24,7 @@ struct RowMap {
     z(rows) = factors.cwiseProduct(disturbed);
     return z;
   }
-  VectorXd forth(const VectorXd& original) const {
-    return original(rows).cwiseQuotient(factors);
-  }
+  VectorXd forth(const VectorXd& original) const { return original(rows).cwiseQuotient(factors); }
 };
 
 RowMap identity_map(Index n) {
@@ -133,8 +131,7 @@ Problem turned(const Problem& original, const std::vector<Eigen::Matrix2d>& turn
     blocks.W.middleRows<2>(first) = (T * blocks.W.middleRows<2>(first)).eval();
     blocks.W.middleCols<2>(first) = (blocks.W.middleCols<2>(first) * T.transpose()).eval();
   }
-  if (symmetric)
-    blocks.W.triangularView<Eigen::StrictlyUpper>() = MatrixXd(blocks.W.transpose());
+  if (symmetric) blocks.W.triangularView<Eigen::StrictlyUpper>() = MatrixXd(blocks.W.transpose());
   const VectorXd ones = VectorXd::Ones(original.size());
   return remade(original, std::move(changed), ones, ones);
 }

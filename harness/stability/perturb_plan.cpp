@@ -15,14 +15,14 @@ struct NamedUnits {
   const char* name;
   Units units;
 };
-constexpr NamedUnits unit_systems[] = {{"mm", {.length = 1e3}},
-                                       {"kn", {.force = 1e-3}},
-                                       {"mm-kn", {.length = 1e3, .force = 1e-3}}};
+constexpr NamedUnits unit_systems[] = {
+    {"mm", {.length = 1e3}}, {"kn", {.force = 1e-3}}, {"mm-kn", {.length = 1e3, .force = 1e-3}}};
 
 constexpr int largest_exponent = 6;
 
 /// A generator for one draw, the same on every machine: FNV-1a of what it belongs to.
-Random random_for(const Instance& instance, DisturbanceKind kind, Index number, std::uint64_t seed) {
+Random random_for(const Instance& instance, DisturbanceKind kind, Index number,
+                  std::uint64_t seed) {
   std::uint64_t hash = 0xcbf29ce484222325;
   for (const char c : fmt::format("{} {} {} {}", seed, to_string(kind), number, instance.name))
     hash = (hash ^ static_cast<unsigned char>(c)) * 0x100000001b3;
@@ -68,8 +68,9 @@ void get(const nlohmann::json& json, const char* field, T& value) {
 }  // namespace
 
 const std::vector<DisturbanceKind>& all_kinds() {
-  static const std::vector<DisturbanceKind> all = {DisturbanceKind::noise, DisturbanceKind::permutation, DisturbanceKind::units, DisturbanceKind::rotation,
-                                        DisturbanceKind::scale_q};
+  static const std::vector<DisturbanceKind> all = {
+      DisturbanceKind::noise, DisturbanceKind::permutation, DisturbanceKind::units,
+      DisturbanceKind::rotation, DisturbanceKind::scale_q};
   return all;
 }
 
@@ -156,7 +157,8 @@ std::vector<Disturbance> disturbances_of(const Instance& instance, const Perturb
   return trials;
 }
 
-Disturbed disturb(const Instance& instance, const Disturbance& trial, const PerturbOptions& options) {
+Disturbed disturb(const Instance& instance, const Disturbance& trial,
+                  const PerturbOptions& options) {
   Random random = random_for(instance, trial.kind, trial.number, options.seed);
   switch (trial.kind) {
     case DisturbanceKind::noise:

@@ -59,7 +59,8 @@ std::vector<Disturbance> disturbances_of(const Instance& instance, const Perturb
 std::string reason_against(DisturbanceKind kind, const Problem& problem);
 
 /// Makes one of disturbances_of. The draw depends on seed, kind, number and the instance's name alone.
-Disturbed disturb(const Instance& instance, const Disturbance& trial, const PerturbOptions& options);
+Disturbed disturb(const Instance& instance, const Disturbance& trial,
+                  const PerturbOptions& options);
 
 /// For run_into: each instance as it is, and then in all its trials.
 Expansion expansion(const PerturbOptions& options);

@@ -31,6 +31,7 @@ constexpr FlipCount flip_counts[] = {{"instances", &FlipRow::instances},
                                      {"most_distinct", &FlipRow::most_distinct},
                                      {"other_z", &FlipRow::other_z},
                                      {"other_z_same_w", &FlipRow::other_z_same_w},
+                                     {"other_z_same_motion", &FlipRow::other_z_same_motion},
                                      {"trivial", &FlipRow::trivial},
                                      {"unsupported", &FlipRow::unsupported},
                                      {"not_run", &FlipRow::not_run}};
@@ -121,23 +122,24 @@ std::string text_line(const FlipRow& row) {
   std::string line = fmt::format("  {:<11}", row.kind);
   if (row.trials == 0) {
     const Index refused = row.unsupported;
-    line += refused > 0         ? fmt::format(" unsupported by the solver ({} runs)", refused)
-            : row.not_run > 0   ? fmt::format(" {} instances not run: too large", row.not_run)
-            : row.trivial > 0   ? fmt::format(" trivial: z = 0 solves all {}", row.trivial)
-                                : std::string(" does not apply");
+    line += refused > 0       ? fmt::format(" unsupported by the solver ({} runs)", refused)
+            : row.not_run > 0 ? fmt::format(" {} instances not run: too large", row.not_run)
+            : row.trivial > 0 ? fmt::format(" trivial: z = 0 solves all {}", row.trivial)
+                              : std::string(" does not apply");
     return line + "\n";
   }
-  line += fmt::format(" {:>6} {:>6} {:>6} {:>12}", row.trials, row.solved, of_disturbed(row.flips()),
-                      rate_cell(row));
+  line += fmt::format(" {:>6} {:>6} {:>6} {:>12}", row.trials, row.solved,
+                      of_disturbed(row.flips()), rate_cell(row));
   line += fmt::format(" {:>5} {:>6} {:>5} {:>7}", of_disturbed(row.lost), of_disturbed(row.gained),
                       of_disturbed(row.other_changes),
                       disturbed ? fmt::format("{}/{}", row.instances_flipped, row.instances) : "");
-  line += fmt::format(" {:>7} {:>4} {:>9}",
+  const auto of_other_z = [&](Index count) {
+    return disturbed && row.other_z > 0 ? fmt::format("{}/{}", count, row.other_z) : std::string();
+  };
+  line += fmt::format(" {:>7} {:>4} {:>8} {:>8}",
                       disturbed ? fmt::format("{}/{}", row.several, row.compared) : "",
-                      of_disturbed(row.most_distinct),
-                      disturbed && row.other_z > 0
-                          ? fmt::format("{}/{}", row.other_z_same_w, row.other_z)
-                          : "");
+                      of_disturbed(row.most_distinct), of_other_z(row.other_z_same_w),
+                      of_other_z(row.other_z_same_motion));
   line += fmt::format(" {:>7} {:>11}", row.pivots ? fmt::format("{:.0f}", *row.pivots) : "",
                       ratio_cell(row));
   line.erase(line.find_last_not_of(' ') + 1);
@@ -145,8 +147,8 @@ std::string text_line(const FlipRow& row) {
 }
 
 constexpr const char* text_head =
-    "               trials solved  flips 95% interval  lost gained other flipped   z(s) most "
-    "same w    pivots      spread\n";
+    "               trials solved  flips 95% interval  lost gained other flipped     z's most   "
+    "same w   same v  pivots      spread\n";
 
 constexpr const char* text_foot =
     "  trials   disturbed runs (baseline: instances); trivial instances and unsupported runs are "
@@ -157,10 +159,11 @@ constexpr const char* text_foot =
     "  95%      Wilson interval of flips / trials, as if trials of one instance were independent\n"
     "  other    solved in neither, and another verdict\n"
     "  flipped  instances with a flip, of those tried\n"
-    "  z(s)     instances with more than one solution, of those solved twice or more\n"
+    "  z's      instances with more than one solution, of those solved twice or more\n"
     "  most     solutions told apart on one instance\n"
     "  same w   of the solved runs whose z is not the undisturbed one's (the first solved run's), "
     "those whose w is\n"
+    "  same v   and those that move the contacts alike: v+ = W f + vbar (w without contacts)\n"
     "  pivots   median over the solved runs\n"
     "  spread   most over least pivots on one instance: median, largest\n";
 

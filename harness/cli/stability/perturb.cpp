@@ -98,8 +98,8 @@ int print_disturbed_pairs(const RunPlan& plan, const PerturbOptions& options,
           ++pairs;
         }
   }
-  const double seconds = std::chrono::duration<double>(plan.timeout).count() *
-                         static_cast<double>(pairs) / plan.jobs;
+  const double seconds =
+      std::chrono::duration<double>(plan.timeout).count() * static_cast<double>(pairs) / plan.jobs;
   fmt::print(stderr, "{} instances, {} solvers, {} pairs to run: at most {}\n",
              plan.instances.size(), plan.solvers.size(), pairs, printed_duration(seconds));
   return done;
@@ -179,8 +179,9 @@ Verb add_stability_perturb(CLI::App& page) {
   part->add_option("--kind", arguments->kinds, "Disturbance; repeatable. Default: all of them")
       ->allow_extra_args(false)
       ->check(CLI::IsMember(names_of_kinds()));
-  part->add_option("--trials", options.trials,
-                   "Disturbed versions of each instance, of each kind (units: 3, scale-q: 12 at most)")
+  part->add_option(
+          "--trials", options.trials,
+          "Disturbed versions of each instance, of each kind (units: 3, scale-q: 12 at most)")
       ->check(CLI::PositiveNumber)
       ->capture_default_str();
   part->add_option("--seed", options.seed, "Of the draws")->capture_default_str();
@@ -204,7 +205,8 @@ Verb add_stability_perturb(CLI::App& page) {
   part->footer(
       "Kinds: noise (last bits of M and q), permutation (rows, contacts), units (mm, kN, both),\n"
       "rotation (tangent axes), scale-q (q times 1e-6 ... 1e6). A flip is solved <-> not solved.\n"
-      "Writes DIR/{run.json, env.json, perturb.json, rows.jsonl, flips.txt, flips.csv, flips.json,\n"
+      "Writes DIR/{run.json, env.json, perturb.json, rows.jsonl, flips.txt, flips.csv, "
+      "flips.json,\n"
       "flips.svg}; DIR is runs/perturb unless --out names it. Each pair is solved once.\n"
       "Example:\n"
       "  lcpbench stability perturb --suite contact --every 10 --solver lemke --solver best-first\n"
