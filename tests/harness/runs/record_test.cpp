@@ -57,6 +57,7 @@ Record example() {
                  .start_pivots = 9,
                  .restarts = 10,
                  .frictionless_pivots = 11};
+  record.z = Eigen::Vector3d(0, 1.0 / 3, 1e-300);
   record.times_ns = {300, 100, 200};
   record.exit_signal = 6;
   record.stderr_end = "last \"words\"\n";
