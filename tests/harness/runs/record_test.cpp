@@ -97,6 +97,7 @@ TEST(Record, ComesBackFromJsonWithEveryField) {
   EXPECT_EQ(back.work.start_pivots, 9);
   EXPECT_EQ(back.work.restarts, 10);
   EXPECT_EQ(back.work.frictionless_pivots, 11);
+  EXPECT_TRUE(back.z == record.z);
   EXPECT_EQ(back.times_ns, record.times_ns);
   EXPECT_EQ(back.exit_signal, 6);
   EXPECT_EQ(back.stderr_end, record.stderr_end);
