@@ -30,7 +30,7 @@ struct Disturbed {
 inline constexpr double reassembly_tolerance = 1e-13;
 std::string reason_against_reassembly(const Problem& problem);
 
-/// Every number of M and q times 1 + k 2^-52, k uniform in {-last_bits ... last_bits}: with friction
+/// Every number of M and q times 1 + k 2^-52, rounded, k uniform in {-last_bits ... last_bits}: with friction
 /// blocks, every number of W and vbar. Zeros stay zeros, and a matrix that is symmetric to the bit
 /// stays so. z is kept.
 Disturbed with_noise(const Instance& instance, Index last_bits, Random& random,

@@ -27,7 +27,7 @@ class Perturb : public testing::Test {
     return run(words);
   }
   void SetUp() override {
-    ASSERT_EQ(run({"generate", "squat-like:contacts=3", "--count", "2", "--out", "p.hdf5"}).status,
+    ASSERT_EQ(run({"generate", "squat-like:contacts=4", "--count", "2", "--out", "p.hdf5"}).status,
               0);
   }
   void expect_complaint(const Ran& ran, int status, const std::string& words) {
@@ -73,7 +73,9 @@ TEST_F(Perturb, ResumesItsOwnQuestionAlone) {
   expect_complaint(perturb({"--kind", "noise", "--seed", "2", "--resume"}), 2,
                    "begun with other disturbances");
   ASSERT_EQ(run({"run", "--corpus", "p.hdf5", "--solver", "lemke", "--out", "plain"}).status, 0);
-  expect_complaint(perturb({"--out", "plain", "--resume"}), 2, "a run without disturbances");
+  expect_complaint(
+      run({"stability", "perturb", "--corpus", "p.hdf5", "--out", "plain", "--resume"}), 2,
+      "a run without disturbances");
 }
 
 TEST_F(Perturb, ADryRunPrintsThePairsAndTheLongestTime) {

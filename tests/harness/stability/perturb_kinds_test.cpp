@@ -72,7 +72,7 @@ TEST_P(OnAFamily, WhatIsKnownOfSolutionsGoesAlong) {
     const Result warm = solve_instance(*make_solver("best-first").solver, disturbed.instance, {},
                                        StartKind::previous);
     EXPECT_EQ(judge(disturbed.instance, warm, 1e-6).verdict, Verdict::solved) << each.label;
-    EXPECT_EQ(warm.work.pivots - warm.work.start_pivots, 0) << each.label << ": " << warm.message;
+    EXPECT_EQ(warm.work.pivots, 0) << each.label << ": " << warm.message;
   }
 }
 
@@ -108,7 +108,7 @@ TEST_P(OnAFamily, NoiseMovesLastBitsAlone) {
   const MatrixXd& M =
       instance_.problem.friction ? instance_.problem.friction->W : instance_.problem.M;
   const MatrixXd& moved = noisy.friction ? noisy.friction->W : noisy.M;
-  expect_near(moved, M, 1.01 * epsilon, "M or W");  // So zeros stay zeros.
+  expect_near(moved, M, 2 * epsilon, "M or W");  // So zeros stay zeros.
   EXPECT_NE(moved, M);
   EXPECT_EQ(M == M.transpose(), moved == moved.transpose());
   EXPECT_EQ(reason_against_reassembly(noisy), "");

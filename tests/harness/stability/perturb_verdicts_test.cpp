@@ -60,8 +60,8 @@ INSTANTIATE_TEST_SUITE_P(
     Registry, PivotingRow,
     testing::Combine(testing::ValuesIn(pivoting_rows()),
                      testing::Values("definite,skew=0", "definite", "dominant", "triangular")),
-    [](const auto& info) {
-      std::string name = std::get<0>(info.param).info.name + "_" + std::get<1>(info.param);
+    [](const auto& row) {
+      std::string name = std::get<0>(row.param).info.name + "_" + std::get<1>(row.param);
       std::replace_if(
           name.begin(), name.end(), [](unsigned char c) { return !std::isalnum(c); }, '_');
       return name;
