@@ -165,8 +165,8 @@ TEST(Record, NamesTheFieldThatIsMissingOrMalformed) {
     if (name != "median_ns" && name != "options") {  // Derived, and free in form.
       EXPECT_NE(complaint(malformed).find(quoted), std::string::npos) << complaint(malformed);
     }
-    if (name != "median_ns" && name != "accuracy" && name != "active_contacts" &&
-        name != "place" && name != "z") {  // Optional.
+    if (name != "median_ns" && name != "accuracy" && name != "active_contacts" && name != "place" &&
+        name != "z") {  // Optional.
       EXPECT_NE(complaint(missing).find(quoted), std::string::npos) << complaint(missing);
     }
   }
