@@ -28,24 +28,6 @@ std::vector<Instance> load(const std::vector<std::string>& corpora, const ReadOp
   return all;
 }
 
-RunPlan make_plan(const Measurement& measurement, std::vector<NamedSolver> solvers) {
-  RunPlan plan;
-  plan.timeout = parse_duration(measurement.timeout, "--timeout");
-  plan.memory_bytes = parse_bytes(measurement.memory, "--memory");
-  plan.starts = start_kinds(measurement.starts);
-  plan.tolerance = measurement.tolerance;
-  plan.jobs = measurement.jobs;
-  plan.solvers = std::move(solvers);
-  plan.shard = parse_shard(measurement.shard);
-  const std::string suite = suite_name(measurement);
-  plan.max_contacts = measurement.max_contacts.value_or(
-      suite.empty() ? plan.max_contacts : find_suite(suite).max_contacts);
-  plan.instances = thinned(
-      suite.empty() ? load(measurement.corpora, measurement.reading) : generate(find_suite(suite)),
-      measurement.every, measurement.limit);
-  return plan;
-}
-
 /// The pairs to be run on stdout, how long they should take on stderr.
 void print_pairs(const RunPlan& plan) {
   const std::vector<PairKey> pairs = open_pairs(plan);
@@ -110,6 +92,24 @@ void add_options(CLI::App& page, Measurement& measurement) {
 std::string suite_name(const Measurement& measurement) {
   if (!measurement.suite.empty()) return measurement.suite;
   return measurement.corpora.empty() ? "default" : "";
+}
+
+RunPlan make_plan(const Measurement& measurement, std::vector<NamedSolver> solvers) {
+  RunPlan plan;
+  plan.timeout = parse_duration(measurement.timeout, "--timeout");
+  plan.memory_bytes = parse_bytes(measurement.memory, "--memory");
+  plan.starts = start_kinds(measurement.starts);
+  plan.tolerance = measurement.tolerance;
+  plan.jobs = measurement.jobs;
+  plan.solvers = std::move(solvers);
+  plan.shard = parse_shard(measurement.shard);
+  const std::string suite = suite_name(measurement);
+  plan.max_contacts = measurement.max_contacts.value_or(
+      suite.empty() ? plan.max_contacts : find_suite(suite).max_contacts);
+  plan.instances = thinned(
+      suite.empty() ? load(measurement.corpora, measurement.reading) : generate(find_suite(suite)),
+      measurement.every, measurement.limit);
+  return plan;
 }
 
 int measure(const Measurement& measurement, std::vector<NamedSolver> solvers,

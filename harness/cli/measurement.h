@@ -35,6 +35,10 @@ void add_options(CLI::App& page, Measurement& measurement);
 /// Name of the suite to run: the default one where neither suite nor corpus is given, else empty.
 std::string suite_name(const Measurement& measurement);
 
+/// The plan of measuring `solvers` on the instances asked for. Throws std::invalid_argument and
+/// UnreadableInput.
+RunPlan make_plan(const Measurement& measurement, std::vector<NamedSolver> solvers);
+
 /// Measures `solvers` on the instances asked for, writes the run directory (`out`, or `default_out`)
 /// and prints the table; or, with dry_run, prints the pairs. Returns an ExitStatus.
 int measure(const Measurement& measurement, std::vector<NamedSolver> solvers,

@@ -66,7 +66,7 @@ struct Fixture {
 std::vector<Fixture> open_fixtures(const RunPlan& plan) {
   std::vector<Fixture> fixtures;
   for (std::size_t k = plan.shard.index; k < plan.instances.size(); k += plan.shard.count) {
-    Fixture fixture{plan.instances[k], static_cast<Index>(k), {}};
+    Fixture fixture{plan.instances[k], plan.first_place + static_cast<Index>(k), {}};
     for (const NamedSolver& solver : plan.solvers)
       for (const StartKind start : plan.starts)
         if (!plan.done.contains(key_of(fixture.instance, {&solver, start})))
@@ -163,6 +163,7 @@ class Pair {
     record_.unclaimed = judgement.unclaimed;
     record_.accuracy = judgement.accuracy;
     record_.work = outcome.result.work;
+    if (plan_.keep_answers && judgement.verdict == Verdict::solved) record_.z = outcome.result.z;
     if (judgement.verdict != Verdict::solved || plan_.max_samples == 1 ||
         outcome.time_ns > longest_warm_up_ns) {
       record_.times_ns = {outcome.time_ns};

@@ -37,7 +37,9 @@ struct RunPlan {
   double spread = 0.05;  ///< Repetitions stop when the quartiles are this close, over the median.
   std::string environment;  ///< Id of env.json.
   Shard shard;
-  std::set<PairKey> done;  ///< Pairs that have a row already and are left out.
+  Index first_place = 0;  ///< Of instances.front() among all of a run that is done part by part.
+  bool keep_answers = false;  ///< Rows of solved pairs hold their z.
+  std::set<PairKey> done;     ///< Pairs that have a row already and are left out.
 };
 
 /// Pairs of the plan that are to be run, in order: those of its shard without the ones done.

@@ -164,6 +164,7 @@ void to_json(json& object, const Record& record) {
   if (record.active_contacts) object["active_contacts"] = *record.active_contacts;
   if (!decided_by_runner(record.verdict)) object["claim"] = to_string(record.claim);
   if (record.accuracy) object["accuracy"] = accuracy_to_json(*record.accuracy);
+  if (record.z) object["z"] = *record.z;
   if (record.median_ns()) object["median_ns"] = *record.median_ns();
 }
 
@@ -202,6 +203,11 @@ void from_json(const json& object, Record& record) {
   }
   if (object.contains("accuracy"))
     record.accuracy = read_field(object, "accuracy", accuracy_from_json);
+  if (object.contains("z")) {
+    std::vector<double> numbers;
+    get(object, "z", numbers);
+    record.z = Eigen::Map<const VectorXd>(numbers.data(), static_cast<Index>(numbers.size()));
+  }
   read_field(object, "exit", [&record](const json& ending) {
     get(ending, "signal", record.exit_signal);
     get(ending, "stderr", record.stderr_end);

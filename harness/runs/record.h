@@ -36,6 +36,7 @@ struct Record {
   double tolerance = 1e-6;
   std::optional<Accuracy> accuracy;  ///< Empty where there was no answer to measure.
   Work work;
+  std::optional<VectorXd> z;           ///< Of a solved pair, in runs that keep answers.
   std::vector<std::int64_t> times_ns;  ///< One sample per repetition; time to failure on failures.
   int exit_signal = 0;                 ///< Of a crashed or killed worker.
   std::string stderr_end;              ///< Last 400 bytes a worker wrote to stdout or stderr.

@@ -128,53 +128,127 @@ RunSettings resume(const fs::path& directory, RunPlan& plan, RunSettings setting
   return settings;
 }
 
+/// A run of several parts into one directory.
+class RunSession {
+ public:
+  /// Prepares the directory, and fills environment and done of `plan`.
+  RunSession(const fs::path& directory, RunPlan& plan, RunSettings settings, Existing existing,
+             const std::function<void(const std::string&)>& note)
+      : directory_(directory), settings_(std::move(settings)) {
+    const bool there = fs::exists(directory);
+    if (there && existing == Existing::refuse)
+      throw std::invalid_argument(
+          fmt::format("{} exists: --resume continues it; or name a new directory, or move it aside",
+                      directory.string()));
+    begun_ = there && fs::exists(directory / "run.json");
+    if (there && !begun_ && fs::exists(directory / "rows.jsonl"))
+      throw std::invalid_argument(fmt::format(
+          "{} has rows but no run.json, so it cannot be resumed: name a new directory with --out",
+          directory.string()));
+
+    const json environment = describe_environment(plan.jobs);
+    plan.environment = environment.at("id").get<std::string>();
+    if (begun_) {
+      settings_ = resume(directory, plan, std::move(settings_), environment, note);
+    } else {
+      create(directory);
+      remove_unfinished(directory);  // of a run killed before it had a run.json
+      write_json(file_of(directory, environment, true), environment);
+      open_rows();
+    }
+    report_.rows_before = plan.done.size();
+  }
+
+  /// Runs what is open of `part`.
+  void run_part(const RunPlan& part, const std::function<void(const Progress&)>& progress,
+                const std::atomic<bool>& interrupted) {
+    if (begun_ && open_pairs(part).empty()) return;
+    open_rows();
+    run(
+        part,
+        [&](const Record& record) {
+          writing_rows([&] { writer_->write(record); });
+          ++report_.rows;
+        },
+        progress, interrupted);
+  }
+
+  RunReport finish(bool interrupted) {
+    if (!begun_ && !interrupted) {
+      const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - begin_;
+      settings_.seconds = elapsed.count();
+      write_json(directory_ / "run.json", settings_);
+    }
+    return report_;
+  }
+
+ private:
+  /// A run that is resumed only to find nothing left keeps its settings, `seconds` among them.
+  void open_rows() {
+    if (writer_) return;
+    write_json(directory_ / "run.json", settings_);
+    writer_ = writing_rows([&] { return std::make_unique<RecordWriter>(directory_.string()); });
+    begin_ = std::chrono::steady_clock::now();
+  }
+
+  const fs::path directory_;
+  RunSettings settings_;
+  bool begun_ = false;  ///< By an earlier session.
+  std::unique_ptr<RecordWriter> writer_;
+  std::chrono::steady_clock::time_point begin_;
+  RunReport report_;
+};
+
 }  // namespace
 
 RunReport run_into(const fs::path& directory, RunPlan plan, const Origin& origin, Existing existing,
                    const std::function<void(const std::string&)>& note,
                    const std::function<void(const Progress&)>& progress,
                    const std::atomic<bool>& interrupted) {
-  const bool there = fs::exists(directory);
-  if (there && existing == Existing::refuse)
-    throw std::invalid_argument(
-        fmt::format("{} exists: --resume continues it; or name a new directory, or move it aside",
-                    directory.string()));
-  const bool begun = there && fs::exists(directory / "run.json");
-  if (there && !begun && fs::exists(directory / "rows.jsonl"))
-    throw std::invalid_argument(fmt::format(
-        "{} has rows but no run.json, so it cannot be resumed: name a new directory with --out",
-        directory.string()));
+  RunSession session(directory, plan, settings_of(plan, origin), existing, note);
+  session.run_part(plan, progress, interrupted);
+  return session.finish(interrupted);
+}
 
-  const json environment = describe_environment(plan.jobs);
-  plan.environment = environment.at("id").get<std::string>();
+RunReport run_into(const fs::path& directory, RunPlan plan, const Expansion& expansion,
+                   const Origin& origin, Existing existing,
+                   const std::function<void(const std::string&)>& note,
+                   const std::function<void(const Progress&)>& progress,
+                   const std::atomic<bool>& interrupted) {
   RunSettings settings = settings_of(plan, origin);
-  if (begun) {
-    settings = resume(directory, plan, std::move(settings), environment, note);
-  } else {
-    create(directory);
-    remove_unfinished(directory);  // of a run killed before it had a run.json
-    write_json(file_of(directory, environment, true), environment);
+  const auto in_shard = [shard = plan.shard](std::size_t k) {
+    return static_cast<Index>(k) % shard.count == shard.index;
+  };
+  const std::size_t entrants = plan.solvers.size() * plan.starts.size();
+  Progress whole;
+  settings.instances = 0;
+  for (std::size_t k = 0; k < plan.instances.size(); ++k) {
+    const Index count = expansion.count(plan.instances[k]);
+    settings.instances += count;
+    if (in_shard(k)) whole.total += static_cast<std::size_t>(count) * entrants;
   }
+  RunSession session(directory, plan, std::move(settings), existing, note);
 
-  RunReport report{.rows_before = plan.done.size(), .rows = 0};
-  if (begun && open_pairs(plan).empty()) return report;
-  write_json(directory / "run.json", settings);
-  const auto writer =
-      writing_rows([&] { return std::make_unique<RecordWriter>(directory.string()); });
-  const auto begin = std::chrono::steady_clock::now();
-  run(
-      plan,
-      [&](const Record& record) {
-        writing_rows([&] { writer->write(record); });
-        ++report.rows;
-      },
-      progress, interrupted);
-  if (!begun && !interrupted) {
-    const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - begin;
-    settings.seconds = elapsed.count();
-    write_json(directory / "run.json", settings);
+  const std::vector<Instance> instances = std::move(plan.instances);
+  RunPlan part = std::move(plan);
+  part.shard = {};
+  for (std::size_t k = 0; k < instances.size() && !interrupted; ++k) {
+    const Index count = expansion.count(instances[k]);
+    if (in_shard(k)) {
+      part.instances = expansion.make(instances[k]);
+      const std::size_t open = open_pairs(part).size();
+      whole.total -= static_cast<std::size_t>(count) * entrants - open;
+      session.run_part(
+          part,
+          [&](const Progress& now) {
+            progress({whole.done + now.done, whole.total, now.at});
+          },
+          interrupted);
+      whole.done += open;
+    }
+    part.first_place += count;
   }
-  return report;
+  return session.finish(interrupted);
 }
 
 std::set<PairKey> pairs_done(const fs::path& directory) {

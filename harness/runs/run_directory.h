@@ -27,6 +27,12 @@ enum class Existing {
   resume,  ///< Runs the pairs that have no row in it yet; begins it where there is none.
 };
 
+/// Several instances that are run in the place of one of a plan, as disturbed versions of it.
+struct Expansion {
+  std::function<Index(const Instance&)> count;                 ///< How many; cheap.
+  std::function<std::vector<Instance>(const Instance&)> make;  ///< The instances, so many.
+};
+
 struct RunReport {
   std::size_t rows_before = 0;  ///< Rows that stood there.
   std::size_t rows = 0;         ///< Rows written now.
@@ -42,6 +48,15 @@ struct RunReport {
 /// interruption or an error stay.
 RunReport run_into(const std::filesystem::path& directory, RunPlan plan, const Origin& origin,
                    Existing existing, const std::function<void(const std::string&)>& note,
+                   const std::function<void(const Progress&)>& progress,
+                   const std::atomic<bool>& interrupted);
+
+/// The same, with each instance of the plan expanded when its turn comes, so that only what is made of
+/// one of them is in memory at a time. What comes of one instance stays in its shard; rows are
+/// numbered (Record::place) through all that is made.
+RunReport run_into(const std::filesystem::path& directory, RunPlan plan, const Expansion& expansion,
+                   const Origin& origin, Existing existing,
+                   const std::function<void(const std::string&)>& note,
                    const std::function<void(const Progress&)>& progress,
                    const std::atomic<bool>& interrupted);
 

@@ -22,15 +22,14 @@ double cosine(Index k, Index turn) {
                        : std::sin(step * static_cast<double>(turn / 4 - k));
 }
 
-/// Direction k of m, 2 x m, the first one along (1, 0).
+}  // namespace
+
 MatrixXd regular_directions(Index m) {
   MatrixXd directions(2, m);
   // In units of 1 / (4 m) of a turn a sine is the cosine m units earlier.
   for (Index k = 0; k < m; ++k) directions.col(k) << cosine(4 * k, 4 * m), cosine(4 * k - m, 4 * m);
   return directions;
 }
-
-}  // namespace
 
 MatrixXd friction_directions(const ContactProblem& problem, const FrictionModel& model) {
   const Index m = model.directions;

@@ -16,6 +16,9 @@ struct FrictionModel {
   double slip_threshold = 1e-3;  ///< m/s: a contact whose |v-_t| exceeds this slides.
 };
 
+/// The first m of the directions below, 2 x m: those of a contact whose first one is t1. m even, >= 2.
+MatrixXd regular_directions(Index m);
+
 /// Unit directions c_im in the contacts' tangent planes, 2 x Nc m, columns i m ... i m + m - 1 for
 /// contact i, coordinates along (t1, t2): direction k stands at angle 2 pi k / m from the first
 /// one. c_i,k+m/2 = -c_ik holds bit for bit; multiples of a quarter turn are exact.

@@ -12,6 +12,7 @@ namespace {
 
 /// A column of N or C (20): the direction in which an unknown of kind a or b pushes its contact.
 struct Push {
+  Index row;  ///< Of the unknown.
   Index contact;
   Eigen::Vector3d axis;  ///< (1, 0, 0) for a, (0, c_im) for b.
 };
@@ -41,22 +42,24 @@ FrictionBlocks lay_out(const ContactProblem& problem, const FrictionModel& model
 std::vector<Push> pushes(const FrictionBlocks& blocks) {
   const Index m = blocks.directions_per_contact;
   std::vector<Push> columns;
-  for (Index i = 0; i < blocks.contacts(); ++i) columns.push_back({i, Eigen::Vector3d::UnitX()});
+  for (Index i = 0; i < blocks.contacts(); ++i)
+    columns.push_back({blocks.normal_row[i], i, Eigen::Vector3d::UnitX()});
   for (Index i = 0; i < blocks.contacts(); ++i) {
     if (blocks.friction_row[i] < 0) continue;
     for (Index k = 0; k < m; ++k) {
       const auto c = blocks.directions.col(i * m + k);
-      columns.push_back({i, {0, c.x(), c.y()}});
+      columns.push_back({blocks.friction_row[i] + k, i, {0, c.x(), c.y()}});
     }
   }
   return columns;
 }
 
-Problem assemble(FrictionBlocks blocks) {
+}  // namespace
+
+Problem assemble_friction_lcp(FrictionBlocks blocks) {
   const Index m = blocks.directions_per_contact;
   const std::vector<Push> columns = pushes(blocks);
-  const Index velocity_rows = static_cast<Index>(columns.size());
-  Index n = velocity_rows;
+  Index n = static_cast<Index>(columns.size());
   for (const Index row : blocks.cone_row) n += row >= 0;
 
   Problem problem;
@@ -64,13 +67,13 @@ Problem assemble(FrictionBlocks blocks) {
   problem.q = VectorXd::Zero(n);
   // [N | C]' W [N | C], where opposite directions give opposite numbers to the last bit.
   std::vector<Eigen::Vector3d> velocities(blocks.contacts());  // of all contacts, by one unit push
-  for (Index j = 0; j < velocity_rows; ++j) {
-    const auto block = blocks.W.middleCols<3>(3 * columns[j].contact);
+  for (const Push& column : columns) {
+    const auto block = blocks.W.middleCols<3>(3 * column.contact);
     for (Index k = 0; k < blocks.contacts(); ++k)
-      velocities[k] = block.middleRows<3>(3 * k) * columns[j].axis;
-    for (Index i = 0; i < velocity_rows; ++i)
-      problem.M(i, j) = columns[i].axis.dot(velocities[columns[i].contact]);
-    problem.q(j) = columns[j].axis.dot(blocks.vbar.segment<3>(3 * columns[j].contact));
+      velocities[k] = block.middleRows<3>(3 * k) * column.axis;
+    for (const Push& row : columns)
+      problem.M(row.row, column.row) = row.axis.dot(velocities[row.contact]);
+    problem.q(column.row) = column.axis.dot(blocks.vbar.segment<3>(3 * column.contact));
   }
   for (Index i = 0; i < blocks.contacts(); ++i) {
     const Index cone = blocks.cone_row[i];
@@ -83,8 +86,6 @@ Problem assemble(FrictionBlocks blocks) {
   set_contact_scales(problem);
   return problem;
 }
-
-}  // namespace
 
 void set_contact_scales(Problem& problem) {
   const FrictionBlocks& blocks = *problem.friction;
@@ -103,7 +104,7 @@ void set_contact_scales(Problem& problem) {
 
 Problem friction_lcp(const ContactProblem& problem, const FrictionModel& model) {
   check(problem, "contact problem");
-  return assemble(lay_out(problem, model));
+  return assemble_friction_lcp(lay_out(problem, model));
 }
 
 Problem frictionless_lcp(const ContactProblem& problem) {

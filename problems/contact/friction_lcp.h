@@ -21,6 +21,10 @@ namespace lcp {
 /// Source: Yamane and Nakamura 2008, eqs. (14)-(26).
 Problem friction_lcp(const ContactProblem& problem, const FrictionModel& model = {});
 
+/// The LCP (25) of `blocks`, each unknown in the row that their lists give it, with the scales above.
+/// The rows must share out 0 ... n - 1. The blocks of friction_lcp give its problem, bit for bit.
+Problem assemble_friction_lcp(FrictionBlocks blocks);
+
 /// The same contacts without friction, first of the two steps of IV-C: N'WN a + N'vbar = w_a,
 /// n = Nc, with the scales and blocks of friction_lcp at mu = 0.
 Problem frictionless_lcp(const ContactProblem& problem);

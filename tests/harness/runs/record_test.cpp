@@ -57,6 +57,7 @@ Record example() {
                  .start_pivots = 9,
                  .restarts = 10,
                  .frictionless_pivots = 11};
+  record.z = Eigen::Vector3d(0, 1.0 / 3, 1e-300);
   record.times_ns = {300, 100, 200};
   record.exit_signal = 6;
   record.stderr_end = "last \"words\"\n";
@@ -96,6 +97,7 @@ TEST(Record, ComesBackFromJsonWithEveryField) {
   EXPECT_EQ(back.work.start_pivots, 9);
   EXPECT_EQ(back.work.restarts, 10);
   EXPECT_EQ(back.work.frictionless_pivots, 11);
+  EXPECT_TRUE(back.z == record.z);
   EXPECT_EQ(back.times_ns, record.times_ns);
   EXPECT_EQ(back.exit_signal, 6);
   EXPECT_EQ(back.stderr_end, record.stderr_end);
@@ -163,8 +165,8 @@ TEST(Record, NamesTheFieldThatIsMissingOrMalformed) {
     if (name != "median_ns" && name != "options") {  // Derived, and free in form.
       EXPECT_NE(complaint(malformed).find(quoted), std::string::npos) << complaint(malformed);
     }
-    if (name != "median_ns" && name != "accuracy" && name != "active_contacts" &&
-        name != "place") {  // Optional.
+    if (name != "median_ns" && name != "accuracy" && name != "active_contacts" && name != "place" &&
+        name != "z") {  // Optional.
       EXPECT_NE(complaint(missing).find(quoted), std::string::npos) << complaint(missing);
     }
   }

@@ -43,6 +43,24 @@ TEST(FrictionLcp, OfASlidingParticleHasItsSlipSpeedInLambda) {
   EXPECT_NEAR(cases::natural_residual(problem, z), 0, 1e-15);
 }
 
+TEST(FrictionLcp, IsAssembledAgainFromItsBlocksWithUnknownsWhereTheySay) {
+  cases::Uniform uniform(3);
+  const Problem problem =
+      friction_lcp(cases::random_contacts({0.3, 0, 0.8}, 100, uniform), {.directions = 4});
+  EXPECT_EQ(assemble_friction_lcp(*problem.friction).M, problem.M);
+  EXPECT_EQ(assemble_friction_lcp(*problem.friction).s_z, problem.s_z);
+
+  FrictionBlocks moved = *problem.friction;  // [a | lambda | b] instead of [a | b | lambda]
+  moved.cone_row = {3, -1, 4};
+  moved.friction_row = {5, -1, 9};
+  const Problem other = assemble_friction_lcp(moved);
+  const std::vector<Index> rows = {0, 1, 2, 11, 12, 3, 4, 5, 6, 7, 8, 9, 10};
+  EXPECT_EQ(other.M, MatrixXd(problem.M(rows, rows)));
+  EXPECT_EQ(other.q, VectorXd(problem.q(rows)));
+  EXPECT_EQ(other.s_z, VectorXd(problem.s_z(rows)));
+  EXPECT_EQ(other.s_w, VectorXd(problem.s_w(rows)));
+}
+
 TEST(FrictionLcp, BlocksAreThoseOfEquation25AndFrictionlessContactsHaveNoRowsInThem) {
   cases::Uniform uniform(3);
   const ContactProblem contacts = cases::random_contacts({0.3, 0, 0.8}, 100, uniform);
