@@ -115,10 +115,9 @@ void require_same_run(const fs::path& directory, const RunSettings& begun, const
                     directory.string(), fmt::join(found, "; ")));
 }
 
-/// Makes a directory that holds a run ready to go on with it: `plan` gets the pairs done, and
-/// the settings to store come back.
-RunSettings resume(const fs::path& directory, RunPlan& plan, RunSettings settings,
-                   const json& environment, const std::function<void(const std::string&)>& note) {
+/// Makes a directory that holds a run ready to go on with it; the settings to store come back.
+RunSettings resume(const fs::path& directory, RunSettings settings, const json& environment,
+                   const std::function<void(const std::string&)>& note) {
   const auto [before, known] = read_run_header(directory);
   require_same_run(directory, before, settings, known.front(), environment);
   if (environment.at("dirty") == true)
@@ -131,7 +130,6 @@ RunSettings resume(const fs::path& directory, RunPlan& plan, RunSettings setting
     write_json(file_of(directory, environment, false), environment);
   }
   remove_unfinished(directory);
-  plan.done = pairs_done(directory);
   std::vector<std::string> solvers = before.solvers;
   append_missing(solvers, settings.solvers);
   settings.solvers = std::move(solvers);
@@ -140,10 +138,8 @@ RunSettings resume(const fs::path& directory, RunPlan& plan, RunSettings setting
 
 }  // namespace
 
-RunReport run_into(const fs::path& directory, RunPlan plan, const Origin& origin, Existing existing,
-                   const std::function<void(const std::string&)>& note,
-                   const std::function<void(const Progress&)>& progress,
-                   const std::atomic<bool>& interrupted) {
+OpenRun open_run(const fs::path& directory, RunSettings settings, int jobs, Existing existing,
+                 const std::function<void(const std::string&)>& note) {
   const bool there = fs::exists(directory);
   if (there && existing == Existing::refuse)
     throw std::invalid_argument(
@@ -155,34 +151,51 @@ RunReport run_into(const fs::path& directory, RunPlan plan, const Origin& origin
         "{} has rows but no run.json, so it cannot be resumed: name a new directory with --out",
         directory.string()));
 
-  const json environment = describe_environment(plan.jobs);
-  plan.environment = environment.at("id").get<std::string>();
-  RunSettings settings = settings_of(plan, origin);
+  const json environment = describe_environment(jobs);
   if (begun) {
-    settings = resume(directory, plan, std::move(settings), environment, note);
+    settings = resume(directory, std::move(settings), environment, note);
   } else {
     create(directory);
     remove_unfinished(directory);  // of a run killed before it had a run.json
     write_json(file_of(directory, environment, true), environment);
   }
+  return {std::move(settings), environment.at("id").get<std::string>(), begun};
+}
+
+void write_run_settings(const fs::path& directory, const RunSettings& settings) {
+  write_json(directory / "run.json", settings);
+}
+
+std::function<void(const Record&)> open_rows(const fs::path& directory) {
+  const auto writer =
+      writing_rows([&] { return std::make_shared<RecordWriter>(directory.string()); });
+  return [writer](const Record& record) { writing_rows([&] { writer->write(record); }); };
+}
+
+RunReport run_into(const fs::path& directory, RunPlan plan, const Origin& origin, Existing existing,
+                   const std::function<void(const std::string&)>& note,
+                   const std::function<void(const Progress&)>& progress,
+                   const std::atomic<bool>& interrupted) {
+  OpenRun open = open_run(directory, settings_of(plan, origin), plan.jobs, existing, note);
+  plan.environment = open.environment;
+  if (open.begun) plan.done = pairs_done(directory);
 
   RunReport report{.rows_before = plan.done.size(), .rows = 0};
-  if (begun && open_pairs(plan).empty()) return report;
-  write_json(directory / "run.json", settings);
-  const auto writer =
-      writing_rows([&] { return std::make_unique<RecordWriter>(directory.string()); });
+  if (open.begun && open_pairs(plan).empty()) return report;
+  write_run_settings(directory, open.settings);
+  const auto write_row = open_rows(directory);
   const auto begin = std::chrono::steady_clock::now();
   run(
       plan,
       [&](const Record& record) {
-        writing_rows([&] { writer->write(record); });
+        write_row(record);
         ++report.rows;
       },
       progress, interrupted);
-  if (!begun && !interrupted) {
+  if (!open.begun && !interrupted) {
     const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - begin;
-    settings.seconds = elapsed.count();
-    write_json(directory / "run.json", settings);
+    open.settings.seconds = elapsed.count();
+    write_run_settings(directory, open.settings);
   }
   return report;
 }

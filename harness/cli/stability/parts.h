@@ -5,5 +5,6 @@
 namespace lcp::cli {
 
 /// The parts of the verb `stability`, one per file.
+Verb add_frontier(CLI::App& stability);
 
 }  // namespace lcp::cli
