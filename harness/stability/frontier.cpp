@@ -49,9 +49,11 @@ class Sampling {
   void take(const Record& record) {
     const auto cell = cell_of_.find(corpus_of(record.instance));
     const auto solver = solver_of_.find(record.solver);
-    if (cell == cell_of_.end() || solver == solver_of_.end()) return;  // of another session
-    sample(solver->second, cell->second.x, cell->second.y).outcomes[draw_number(record.instance)] =
-        {record.verdict, record.trivial, record.work.pivots};
+    const std::optional<Index> draw = draw_number(record.instance);
+    if (cell == cell_of_.end() || solver == solver_of_.end() || !draw)
+      return;  // another question's
+    sample(solver->second, cell->second.x, cell->second.y).outcomes[*draw] = {
+        record.verdict, record.trivial, record.work.pivots};
   }
 
   std::vector<OpenDraws> open() const {
@@ -175,7 +177,7 @@ Origin origin_of(const FrontierPlan& plan) {
           0};
 }
 
-void check(const FrontierPlan& plan) {
+void check_plan(const FrontierPlan& plan) {
   check_knobs(plan.grid);
   if (plan.limits.solvers.empty()) throw std::invalid_argument("no solver is named");
   if (plan.count < 1 || plan.max_count < plan.count || plan.max_count > most_draws)
@@ -203,7 +205,7 @@ std::optional<Frontier> run_frontier(const std::filesystem::path& directory,
                                      const std::function<void(const std::string&)>& note,
                                      const std::function<void(const Progress&)>& progress,
                                      const std::atomic<bool>& interrupted) {
-  check(plan);
+  check_plan(plan);
   Sampling sampling(plan);  // refuses knobs
   OpenRun open = open_run(directory, settings_of(plan.limits, origin_of(plan)), plan.limits.jobs,
                           existing, note);
@@ -220,7 +222,7 @@ std::optional<Frontier> run_frontier(const std::filesystem::path& directory,
       run(
           plan_of(cell, plan, open.environment),
           [&](Record record) {
-            record.place = draw_number(record.instance);
+            record.place = draw_number(record.instance).value();
             write_row(record);
             sampling.take(record);
           },

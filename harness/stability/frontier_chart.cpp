@@ -12,7 +12,7 @@ namespace {
 /// The page, in pixels.
 constexpr double panel_width = 230, panel_height = 190;
 constexpr double left_of_panel = 66, above_panel = 44, below_panel = 58, right_of_panels = 20;
-constexpr double head = 78;
+constexpr double page_top = 104;
 constexpr std::size_t panels_abreast = 4;
 
 /// Share 0 and 1: white, and the blue of Okabe and Ito. Above the third a number is white.
@@ -30,7 +30,7 @@ int colour_of(double share) {
 }
 
 /// Where the cells of an axis meet: half-way between positions, the ends as far out.
-std::vector<double> edges(const KnobAxis& axis) {
+std::vector<double> cell_edges(const KnobAxis& axis) {
   std::vector<double> all{0};
   for (std::size_t i = 1; i < axis.size(); ++i)
     all.push_back((axis.position(i - 1) + axis.position(i)) / 2);
@@ -41,7 +41,7 @@ std::vector<double> edges(const KnobAxis& axis) {
 
 /// Columns: x and y of the middle, edges, colour, number of the cell, its colour.
 std::string cells_data(const KnobAxis& x, const KnobAxis& y, const FrontierRow& row) {
-  const std::vector<double> across = edges(x), up = edges(y);
+  const std::vector<double> across = cell_edges(x), up = cell_edges(y);
   std::string data;
   for (std::size_t i = 0; i < x.size(); ++i)
     for (std::size_t j = 0; j < y.size(); ++j) {
@@ -61,7 +61,7 @@ std::string cells_data(const KnobAxis& x, const KnobAxis& y, const FrontierRow& 
 /// x, line, ends of the band; an empty line where the line breaks. One more row keeps the data set
 /// from being empty.
 std::string line_data(const KnobAxis& x, const KnobAxis& y, const FrontierRow& row) {
-  const double bottom = edges(y).front(), top = edges(y).back();
+  const double bottom = cell_edges(y).front(), top = cell_edges(y).back();
   std::string data;
   for (std::size_t i = 0; i < x.size(); ++i) {
     const ShareLine& line = row.columns[i].line;
@@ -83,7 +83,7 @@ std::string several_data(const KnobAxis& x, const FrontierRow& row) {
 }
 
 /// `line in 3 of 5 columns; 2 below`.
-std::string note(const FrontierRow& row) {
+std::string panel_note(const FrontierRow& row) {
   Index lines = 0, above = 0, below = 0, several = 0, nothing = 0;
   for (const FrontierColumn& column : row.columns) {
     switch (column.line.kind) {
@@ -122,11 +122,11 @@ std::string note(const FrontierRow& row) {
 }
 
 /// Ticks at the values of the grid, every so many that they do not touch.
-std::string ticks(const KnobAxis& axis, std::size_t most) {
+std::string grid_ticks(const KnobAxis& axis, std::size_t most) {
   const std::size_t every = (axis.size() + most - 1) / most;
   std::string list;
   for (std::size_t i = 0; i < axis.size(); i += every)
-    list += fmt::format("{}'{:.3g}' {:.6g}", list.empty() ? "" : ", ", axis.values[i],
+    list += fmt::format("{}'{}' {:.6g}", list.empty() ? "" : ", ", three_digits(axis.values[i]),
                         axis.position(i));
   return "(" + list + ")";
 }
@@ -135,7 +135,7 @@ std::string axis_name(const KnobAxis& axis) {
   return axis.knob + (axis.geometric ? " (geometric)" : "");
 }
 
-std::string panel(const FrontierGrid& grid, const FrontierRow& row, std::size_t index) {
+std::string panel_commands(const FrontierGrid& grid, const FrontierRow& row, std::size_t index) {
   return fmt::format(
       R"(set title '{solver}' noenhanced offset 0,0.5 font ',12'
 set label 1 '{note}' at graph 0.5, graph 1.06 center font ',10' tc rgb '#555555'
@@ -153,10 +153,10 @@ plot DATA index {cells} using 1:2:3:4:5:6:7 with boxxyerror fs solid 1 border lc
      DATA index {several} using 1:2 with points pt 2 ps 0.9 lw 2 lc rgb '#000000', \
      DATA index {cells} using 1:2:8:9 with labels font ',8' tc rgb variable
 )",
-      fmt::arg("solver", fit_for_gnuplot(row.solver)), fmt::arg("note", note(row)),
-      fmt::arg("x_low", edges(grid.x).front()), fmt::arg("x_high", edges(grid.x).back()),
-      fmt::arg("y_low", edges(grid.y).front()), fmt::arg("y_high", edges(grid.y).back()),
-      fmt::arg("x_ticks", ticks(grid.x, 7)), fmt::arg("y_ticks", ticks(grid.y, 10)),
+      fmt::arg("solver", fit_for_gnuplot(row.solver)), fmt::arg("note", panel_note(row)),
+      fmt::arg("x_low", cell_edges(grid.x).front()), fmt::arg("x_high", cell_edges(grid.x).back()),
+      fmt::arg("y_low", cell_edges(grid.y).front()), fmt::arg("y_high", cell_edges(grid.y).back()),
+      fmt::arg("x_ticks", grid_ticks(grid.x, 7)), fmt::arg("y_ticks", grid_ticks(grid.y, 10)),
       fmt::arg("x_name", axis_name(grid.x)), fmt::arg("y_name", axis_name(grid.y)),
       fmt::arg("cells", 3 * index), fmt::arg("line", 3 * index + 1),
       fmt::arg("several", 3 * index + 2));
@@ -164,16 +164,20 @@ plot DATA index {cells} using 1:2:3:4:5:6:7 with boxxyerror fs solid 1 border lc
 
 /// Title and legend on top: in a plot that spans the page, in its pixels.
 std::string page_head(const FrontierPlan& plan, double width, double height) {
-  std::string text = gnuplot_margins({0, width, 0, head}, width, height);
+  std::string text = gnuplot_margins({0, width, 0, page_top}, width, height);
   text += fmt::format(
-      "unset border\nunset tics\nset xrange [0:{width}]\nset yrange [{head}:0]\n"
+      "unset border\nunset tics\nset xrange [0:{width}]\nset yrange [{page_top}:0]\n"
       "set label 1 '{family}: share of draws solved, by {x} and {y}' at 14,20 left noenhanced font "
-      "',15'\n",
-      fmt::arg("width", width), fmt::arg("head", head),
+      "',15'\n"
+      "set label 2 '{y}: {y_meaning};  {x}: {x_meaning}' at 14,46 left noenhanced font ',11' "
+      "tc rgb '#555555'\n",
+      fmt::arg("width", width), fmt::arg("page_top", page_top),
       fmt::arg("family", fit_for_gnuplot(plan.grid.family)), fmt::arg("x", plan.grid.x.knob),
-      fmt::arg("y", plan.grid.y.knob));
+      fmt::arg("y", plan.grid.y.knob),
+      fmt::arg("x_meaning", fit_for_gnuplot(knob_meaning(plan.grid, plan.grid.x.knob))),
+      fmt::arg("y_meaning", fit_for_gnuplot(knob_meaning(plan.grid, plan.grid.y.knob))));
   constexpr int patches = 5;
-  constexpr double patch = 34, middle = 52;
+  constexpr double patch = 34, middle = 76;
   for (int i = 0; i < patches; ++i) {
     const double share = static_cast<double>(i) / (patches - 1);
     text += fmt::format(
@@ -210,19 +214,19 @@ GnuplotPage frontier_page(const Frontier& frontier) {
                            grid.family, grid.x.knob, grid.y.knob);
   page.width = std::max(
       least_width, static_cast<double>(abreast) * (left_of_panel + panel_width) + right_of_panels);
-  page.height = head + static_cast<double>(deep) * (above_panel + panel_height + below_panel);
+  page.height = page_top + static_cast<double>(deep) * (above_panel + panel_height + below_panel);
   page.data =
       "# per solver: cells (x y, edges, colour, % solved, its colour), line (x y low high), "
       "crossings of columns with several; geometric axes as log10\n";
   page.commands = "unset key\n" + page_head(frontier.plan, page.width, page.height);
   for (std::size_t i = 0; i < frontier.rows.size(); ++i) {
     const double left = static_cast<double>(i % panels_abreast) * (left_of_panel + panel_width),
-                 top = head + static_cast<double>(i / panels_abreast) *
-                                  (above_panel + panel_height + below_panel);
+                 top = page_top + static_cast<double>(i / panels_abreast) *
+                                      (above_panel + panel_height + below_panel);
     page.commands +=
         gnuplot_margins({left + left_of_panel, panel_width, top + above_panel, panel_height},
                         page.width, page.height);
-    page.commands += panel(grid, frontier.rows[i], i);
+    page.commands += panel_commands(grid, frontier.rows[i], i);
     page.data += cells_data(grid.x, grid.y, frontier.rows[i]) +
                  line_data(grid.x, grid.y, frontier.rows[i]) +
                  several_data(grid.x, frontier.rows[i]);

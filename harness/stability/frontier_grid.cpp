@@ -46,7 +46,7 @@ std::vector<std::string> split(const std::string& text, char at) {
   return words;
 }
 
-double to_three_digits(double value) { return std::stod(fmt::format("{:.3g}", value)); }
+double rounded(double value) { return std::stod(fmt::format("{:.3g}", value)); }
 
 /// The N values of FROM..TO/N.
 std::vector<double> spaced(const AxisText& axis, const std::string& range, bool geometric) {
@@ -63,15 +63,21 @@ std::vector<double> spaced(const AxisText& axis, const std::string& range, bool 
   for (double i = 0; i < count; ++i) {
     const double part = i / (count - 1);
     values.push_back(
-        to_three_digits(geometric ? from * std::pow(to / from, part) : from + (to - from) * part));
+        rounded(geometric ? from * std::pow(to / from, part) : from + (to - from) * part));
   }
   return values;
 }
 
-std::vector<std::string> knob_names(const FamilyRow& row) {
+/// The knobs of the family of a grid; throws with the list of families.
+OptionTable knobs_of(const FrontierGrid& grid) {
+  const std::string name = parse_spelling(grid.family).name;
   std::vector<std::string> names;
-  for (const Option& option : row.make()->options()) names.push_back(option.name);
-  return names;
+  for (const FamilyRow& row : families()) {
+    if (row.info.name == name) return row.make()->options();
+    names.push_back(row.info.name);
+  }
+  throw std::invalid_argument(
+      fmt::format("unknown family '{}', known are: {}", name, fmt::join(names, ", ")));
 }
 
 }  // namespace
@@ -105,6 +111,8 @@ KnobAxis parse_axis(const std::string& text, const std::string& option) {
   return axis;
 }
 
+std::string three_digits(double value) { return shortest(rounded(value)); }
+
 std::string to_string(const KnobAxis& axis) {
   return fmt::format("{}={}{}", axis.knob, fmt::join(axis.values, ","),
                      axis.geometric ? ",log" : "");
@@ -129,35 +137,37 @@ Instance draw_of_cell(const FrontierGrid& grid, std::size_t column, std::size_t 
   return instance;
 }
 
-Index draw_number(const std::string& instance) {
-  return static_cast<Index>(std::stoull(instance.substr(instance.rfind('/') + 1)) %
-                            static_cast<std::uint64_t>(most_draws));
+std::optional<Index> draw_number(const std::string& instance) {
+  const char* end = instance.data() + instance.size();
+  std::uint64_t seed = 0;
+  const auto [stop, error] = std::from_chars(instance.data() + instance.rfind('/') + 1, end, seed);
+  if (error != std::errc() || stop != end) return std::nullopt;
+  return static_cast<Index>(seed % static_cast<std::uint64_t>(most_draws));
 }
 
 void check_knobs(const FrontierGrid& grid) {
-  const Spelling spelling = parse_spelling(grid.family);
-  std::vector<std::string> names;
-  const FamilyRow* found = nullptr;
-  for (const FamilyRow& row : families()) {
-    names.push_back(row.info.name);
-    if (row.info.name == spelling.name) found = &row;
-  }
-  if (!found)
-    throw std::invalid_argument(
-        fmt::format("unknown family '{}', known are: {}", spelling.name, fmt::join(names, ", ")));
+  const OptionTable knobs = knobs_of(grid);
   if (grid.x.knob == grid.y.knob)
     throw std::invalid_argument(
         fmt::format("--x and --y are both '{}': name two different knobs", grid.x.knob));
-  const std::vector<std::string> knobs = knob_names(*found);
+  const Spelling spelling = parse_spelling(grid.family);
+  std::vector<std::string> names;
+  for (const Option& knob : knobs) names.push_back(knob.name);
   for (const KnobAxis* axis : {&grid.x, &grid.y}) {
-    if (std::find(knobs.begin(), knobs.end(), axis->knob) == knobs.end())
+    if (std::find(names.begin(), names.end(), axis->knob) == names.end())
       throw std::invalid_argument(fmt::format("{} has no knob '{}', it has: {}", spelling.name,
-                                              axis->knob, fmt::join(knobs, ", ")));
+                                              axis->knob, fmt::join(names, ", ")));
     for (const auto& [key, value] : spelling.settings)
       if (key == axis->knob)
         throw std::invalid_argument(
             fmt::format("'{}' is both an axis and set in '{}'", key, grid.family));
   }
+}
+
+std::string knob_meaning(const FrontierGrid& grid, const std::string& knob) {
+  for (const Option& option : knobs_of(grid))
+    if (option.name == knob) return option.doc;
+  return "";
 }
 
 }  // namespace lcp

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -26,6 +27,9 @@ struct KnobAxis {
 /// expected: two values at least, finite, ascending, positive where geometric.
 KnobAxis parse_axis(const std::string& text, const std::string& option);
 
+/// A value for a reader: three digits, 31.6, 1000, 1e-05.
+std::string three_digits(double value);
+
 /// As parse_axis reads it: `mu=0.1,0.3,1,log`.
 std::string to_string(const KnobAxis& axis);
 
@@ -47,11 +51,14 @@ Instance draw_of_cell(const FrontierGrid& grid, std::size_t column, std::size_t 
                       std::uint64_t seed, Index draw);
 inline constexpr Index most_draws = 1000;
 
-/// Number of the draw that an instance's name tells.
-Index draw_number(const std::string& instance);
+/// Number of the draw that an instance's name tells; empty where it is no name of draw_of_cell.
+std::optional<Index> draw_number(const std::string& instance);
 
 /// Throws std::invalid_argument, with the list of what is allowed, unless the family has both knobs, they
 /// differ and are not set in its spelling.
 void check_knobs(const FrontierGrid& grid);
+
+/// What the family says of a knob it has: one line, with unit or scale.
+std::string knob_meaning(const FrontierGrid& grid, const std::string& knob);
 
 }  // namespace lcp

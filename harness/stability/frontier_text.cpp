@@ -9,7 +9,7 @@ namespace lcp {
 
 namespace {
 
-constexpr const char* legend =
+constexpr const char* frontier_legend =
     R"(  a [b, c]    half of the draws are solved at a; at 95 % the line lies in b ... c (Wilson)
   ... rising  more are solved above the line, fewer below it
   above       more than half are solved in every cell; below: fewer than half
@@ -19,22 +19,22 @@ constexpr const char* legend =
   not counted no draw counts: unsupported, not run, or z = 0 solves it
 )";
 
-std::string value(const KnobAxis& axis, double position) {
-  return fmt::format("{:.3g}", axis.value_at(position));
+std::string printed_value(const KnobAxis& axis, double position) {
+  return three_digits(axis.value_at(position));
 }
 
 std::string band_end(const KnobAxis& y, double position) {
-  if (std::isfinite(position)) return value(y, position);
-  return position < 0 ? fmt::format("<{:.3g}", y.values.front())
-                      : fmt::format(">{:.3g}", y.values.back());
+  if (std::isfinite(position)) return printed_value(y, position);
+  return position < 0 ? fmt::format("<{}", three_digits(y.values.front()))
+                      : fmt::format(">{}", three_digits(y.values.back()));
 }
 
-std::string words(const KnobAxis& y, const FrontierColumn& column) {
+std::string line_in_words(const KnobAxis& y, const FrontierColumn& column) {
   const ShareLine& line = column.line;
   const std::string mark = column.settled ? "" : " *";
   switch (line.kind) {
     case ShareLine::Kind::crossing:
-      return fmt::format("{} [{}, {}]{}{}", value(y, line.u), band_end(y, line.low),
+      return fmt::format("{} [{}, {}]{}{}", printed_value(y, line.u), band_end(y, line.low),
                          band_end(y, line.high), line.rising ? " rising" : "", mark);
     case ShareLine::Kind::above:
       return "above" + mark;
@@ -43,7 +43,7 @@ std::string words(const KnobAxis& y, const FrontierColumn& column) {
     case ShareLine::Kind::several: {
       std::string text = fmt::format("crosses {}x", line.crossings.size());
       for (const double u : line.crossings)
-        text += fmt::format("{} {}", u == line.crossings.front() ? ":" : ",", value(y, u));
+        text += fmt::format("{} {}", u == line.crossings.front() ? ":" : ",", printed_value(y, u));
       return text;
     }
     case ShareLine::Kind::nothing:
@@ -53,7 +53,7 @@ std::string words(const KnobAxis& y, const FrontierColumn& column) {
 }
 
 /// Columns of text, each as wide as its longest entry.
-std::string aligned(const std::vector<std::vector<std::string>>& lines) {
+std::string aligned_columns(const std::vector<std::vector<std::string>>& lines) {
   std::vector<std::size_t> widths;
   for (const auto& line : lines) {
     widths.resize(std::max(widths.size(), line.size()));
@@ -74,7 +74,7 @@ std::vector<std::string> line_of(const std::string& name, std::uint64_t seed,
                                  const Frontier& frontier, std::size_t solver) {
   std::vector<std::string> line{name, std::to_string(seed)};
   for (const FrontierColumn& column : frontier.rows[solver].columns)
-    line.push_back(words(frontier.plan.grid.y, column));
+    line.push_back(line_in_words(frontier.plan.grid.y, column));
   return line;
 }
 
@@ -91,11 +91,14 @@ std::string frontier_text(const FrontierReport& report) {
   std::string text = fmt::format(
       "{}: where along {} the share of solved draws crosses 1/2, by {}; {} to {} draws a cell\n",
       plan.grid.family, y.knob, x.knob, plan.count, plan.max_count);
-  text += fmt::format("{} = {:.3g} ... {:.3g}{}\n\n", y.knob, y.values.front(), y.values.back(),
-                      y.geometric ? ", geometric" : "");
+  for (const KnobAxis* axis : {&y, &x})
+    text += fmt::format("  {} = {} ... {}{}: {}\n", axis->knob, three_digits(axis->values.front()),
+                        three_digits(axis->values.back()), axis->geometric ? ", geometric" : "",
+                        knob_meaning(plan.grid, axis->knob));
+  text += "\n";
 
   std::vector<std::vector<std::string>> lines{{"", "seed"}};
-  for (const double at : x.values) lines[0].push_back(fmt::format("{}={:.3g}", x.knob, at));
+  for (const double at : x.values) lines[0].push_back(x.knob + "=" + three_digits(at));
   std::vector<Reproduction> again;
   if (report.second) {
     again = reproduction(report.first, *report.second);
@@ -107,7 +110,7 @@ std::string frontier_text(const FrontierReport& report) {
     lines.push_back(line_of("", report.second->plan.seed, *report.second, s));
     lines.back().push_back(in_words(again[s]));
   }
-  text += aligned(lines) + "\n" + legend;
+  text += aligned_columns(lines) + "\n" + frontier_legend;
   if (report.second)
     text +=
         "  agree       columns where both seeds' bands overlap, or that have no line with either "

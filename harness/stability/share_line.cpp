@@ -11,7 +11,7 @@ namespace {
 constexpr double half = 0.5;
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-double share(const SharePoint& point) {
+double share_of(const SharePoint& point) {
   return static_cast<double>(point.solved) / static_cast<double>(point.counted);
 }
 
@@ -43,16 +43,17 @@ std::vector<std::size_t> decided_cells(const std::vector<SharePoint>& points) {
 /// First crossing of the interpolated shares between cells `from` and `to`, which lie on different
 /// sides.
 double first_crossing(const std::vector<SharePoint>& points, std::size_t from, std::size_t to) {
-  const bool above = share(points[from]) > half;
+  const bool above = share_of(points[from]) > half;
   std::size_t next = from + 1;
-  while (next < to && (share(points[next]) > half) == above) ++next;
-  return at_half(points[next - 1].u, share(points[next - 1]), points[next].u, share(points[next]));
+  while (next < to && (share_of(points[next]) > half) == above) ++next;
+  return at_half(points[next - 1].u, share_of(points[next - 1]), points[next].u,
+                 share_of(points[next]));
 }
 
 double squares(const std::vector<SharePoint>& points, const std::vector<double>& fit) {
   double sum = 0;
   for (std::size_t i = 0; i < points.size(); ++i)
-    sum += static_cast<double>(points[i].counted) * std::pow(share(points[i]) - fit[i], 2);
+    sum += static_cast<double>(points[i].counted) * std::pow(share_of(points[i]) - fit[i], 2);
   return sum;
 }
 
@@ -231,7 +232,7 @@ std::vector<bool> more_wanted(const ShareLine& line, const std::vector<SharePoin
     if (open && line.kind == ShareLine::Kind::crossing) {
       const bool fit_above = line.rising ? point.u > line.u : point.u < line.u;
       const bool outside = point.u < line.low || point.u > line.high;
-      contradicts = outside && (share(point) > half) != fit_above;
+      contradicts = outside && (share_of(point) > half) != fit_above;
     }
     wanted.push_back(open && (!known || contradicts));
   }

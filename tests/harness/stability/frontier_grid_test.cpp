@@ -83,6 +83,7 @@ TEST(DrawOfCell, IsTheFirstInstanceOfItsSeedAndSaysSo) {
   const Instance drawn = draw_of_cell(grid, 1, 1, 3, 7);
   EXPECT_EQ(drawn.name, "semidefinite:n=6,condition=10,degenerate=1/3007");
   EXPECT_EQ(draw_number(drawn.name), 7);
+  EXPECT_FALSE(draw_number("semidefinite/7a").has_value());
   const Instance again =
       generate("semidefinite:n=6,degenerate=1,condition=10", {.count = 1, .seed = 3007}).at(0);
   EXPECT_EQ(drawn.sha256, again.sha256);
