@@ -58,17 +58,22 @@ std::string cells_data(const KnobAxis& x, const KnobAxis& y, const FrontierRow& 
   return data + "\n\n";
 }
 
-/// x, line, ends of the band; an empty line where the line breaks. One more row keeps the data set
-/// from being empty.
+/// x, line, ends of the band; an empty line where the line breaks (two would end the data set). The
+/// last row keeps the data set from being empty.
 std::string line_data(const KnobAxis& x, const KnobAxis& y, const FrontierRow& row) {
   const double bottom = cell_edges(y).front(), top = cell_edges(y).back();
   std::string data;
+  bool broken = true;
   for (std::size_t i = 0; i < x.size(); ++i) {
     const ShareLine& line = row.columns[i].line;
-    data += line.kind == ShareLine::Kind::crossing
-                ? fmt::format("{:.6g} {:.6g} {:.6g} {:.6g}\n", x.position(i), line.u,
-                              std::max(line.low, bottom), std::min(line.high, top))
-                : "\n";
+    if (line.kind == ShareLine::Kind::crossing) {
+      data += fmt::format("{:.6g} {:.6g} {:.6g} {:.6g}\n", x.position(i), line.u,
+                          std::max(line.low, bottom), std::min(line.high, top));
+      broken = false;
+    } else if (!broken) {
+      data += "\n";
+      broken = true;
+    }
   }
   return data + "NaN NaN NaN NaN\n\n\n";
 }
