@@ -11,7 +11,7 @@ namespace {
 
 /// The page, in pixels.
 constexpr double panel_width = 230, panel_height = 190;
-constexpr double left_of_panel = 66, above_panel = 44, below_panel = 58, right_of_panels = 20;
+constexpr double left_of_panel = 66, above_panel = 44, below_panel = 66, right_of_panels = 20;
 constexpr double page_top = 104;
 constexpr std::size_t panels_abreast = 4;
 
@@ -39,7 +39,7 @@ std::vector<double> cell_edges(const KnobAxis& axis) {
   return all;
 }
 
-/// Columns: x and y of the middle, edges, colour, number of the cell, its colour.
+/// Columns: x and y of the tick, edges, colour, number of the cell (drawn beside the line), its colour.
 std::string cells_data(const KnobAxis& x, const KnobAxis& y, const FrontierRow& row) {
   const std::vector<double> across = cell_edges(x), up = cell_edges(y);
   std::string data;
@@ -156,7 +156,7 @@ plot DATA index {cells} using 1:2:3:4:5:6:7 with boxxyerror fs solid 1 border lc
      DATA index {line} using 1:2 with lines lw 2.5 lc rgb '#D55E00', \
      DATA index {line} using 1:2 with points pt 7 ps 0.6 lc rgb '#D55E00', \
      DATA index {several} using 1:2 with points pt 2 ps 0.9 lw 2 lc rgb '#000000', \
-     DATA index {cells} using 1:2:8:9 with labels font ',8' tc rgb variable
+     DATA index {cells} using ($3+0.27*($4-$3)):2:8:9 with labels font ',8' tc rgb variable
 )",
       fmt::arg("solver", fit_for_gnuplot(row.solver)), fmt::arg("note", panel_note(row)),
       fmt::arg("x_low", cell_edges(grid.x).front()), fmt::arg("x_high", cell_edges(grid.x).back()),
