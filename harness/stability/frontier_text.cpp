@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <chrono>
 #include <cmath>
 
 #include "harness/stability/frontier_render.h"
@@ -116,8 +117,9 @@ std::string frontier_text(const FrontierReport& report) {
         "  agree       columns where both seeds' bands overlap, or that have no line with either "
         "seed and no\n              cell decided differently; in brackets, of the lines, those of "
         "the second seed in the\n              first one's own band\n";
-  return text +
-         fmt::format("Solved means a natural residual of at most {}.\n", plan.limits.tolerance);
+  return text + fmt::format("Solved means a natural residual of at most {}, within {} s.\n",
+                            plan.limits.tolerance,
+                            std::chrono::duration<double>(plan.limits.timeout).count());
 }
 
 std::string to_string(ShareLine::Kind kind) {
