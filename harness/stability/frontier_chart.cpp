@@ -14,6 +14,7 @@ constexpr double panel_width = 230, panel_height = 190;
 constexpr double left_of_panel = 66, above_panel = 44, below_panel = 66, right_of_panels = 20;
 constexpr double page_top = 104;
 constexpr std::size_t panels_abreast = 4;
+constexpr double cell_gap = 0.02;  // left free on either side of a cell, of its width
 
 /// Share 0 and 1: white, and the blue of Okabe and Ito. Above the third a number is white.
 constexpr int none_solved[] = {255, 255, 255}, all_solved[] = {0, 114, 178};
@@ -151,7 +152,7 @@ set xtics nomirror out {x_ticks} font ',10'
 set ytics nomirror out {y_ticks} font ',10'
 set xlabel '{x_name}' noenhanced offset 0,0.4
 set ylabel '{y_name}' noenhanced offset 1.2,0
-plot DATA index {cells} using 1:2:3:4:5:6:7 with boxxyerror fs solid 1 border lc rgb '#ffffff' lc rgb variable, \
+plot DATA index {cells} using 1:2:($3+{gap}*($4-$3)):($4-{gap}*($4-$3)):($5+{gap}*($6-$5)):($6-{gap}*($6-$5)):7 with boxxyerror fs solid 1 noborder lc rgb variable, \
      DATA index {line} using 1:3:(0):($4-$3) with vectors nohead lw 4 lc rgb '#E69F00', \
      DATA index {line} using 1:2 with lines lw 2.5 lc rgb '#D55E00', \
      DATA index {line} using 1:2 with points pt 7 ps 0.6 lc rgb '#D55E00', \
@@ -163,7 +164,7 @@ plot DATA index {cells} using 1:2:3:4:5:6:7 with boxxyerror fs solid 1 border lc
       fmt::arg("y_low", cell_edges(grid.y).front()), fmt::arg("y_high", cell_edges(grid.y).back()),
       fmt::arg("x_ticks", grid_ticks(grid.x, 7)), fmt::arg("y_ticks", grid_ticks(grid.y, 10)),
       fmt::arg("x_name", axis_name(grid.x)), fmt::arg("y_name", axis_name(grid.y)),
-      fmt::arg("cells", 3 * index), fmt::arg("line", 3 * index + 1),
+      fmt::arg("gap", cell_gap), fmt::arg("cells", 3 * index), fmt::arg("line", 3 * index + 1),
       fmt::arg("several", 3 * index + 2));
 }
 
