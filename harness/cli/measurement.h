@@ -41,8 +41,8 @@ void add_options(CLI::App& page, Measurement& measurement);
 /// Name of the suite to run: the default one where neither suite nor corpus is given, else empty.
 std::string suite_name(const Measurement& measurement);
 
-/// Measures `solvers` on the instances asked for, writes the run directory (`out`, or `default_out`)
-/// and prints the table; or, with dry_run, prints the pairs. Returns an ExitStatus.
+/// Measures `solvers` on the instances asked for, writes the run directory (`out`, or
+/// `default_out`) and prints the table; or, with dry_run, prints the pairs. Returns an ExitStatus.
 int measure(const Measurement& measurement, std::vector<NamedSolver> solvers,
             const std::string& default_out);
 

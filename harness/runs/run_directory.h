@@ -51,9 +51,9 @@ struct OpenRun {
   bool begun = false;       ///< A session was there before.
 };
 
-/// Makes `directory` ready, for what draws its instances as it goes; run_into does the same for a plan.
-/// It has its environment's file then, but run.json only if it had one (see write_run_settings).
-/// Throws as run_into does.
+/// Makes `directory` ready, for what draws its instances as it goes; run_into does the same for a
+/// plan. It has its environment's file then, but run.json only if it had one (see
+/// write_run_settings). Throws as run_into does.
 OpenRun open_run(const std::filesystem::path& directory, RunSettings settings, int jobs,
                  Existing existing, const std::function<void(const std::string&)>& note);
 
@@ -99,8 +99,8 @@ std::vector<Record> read_run(const std::filesystem::path& directory);
 /// table. Throws UnreadableInput and UnwritableOutput.
 Table write_tables(const std::filesystem::path& directory);
 
-/// Draws the chart of time against accuracy (chart.svg, .gp, .dat) from the rows of a run directory,
-/// unless nothing counts in them. Throws as write_tables and draw_chart do.
+/// Draws the chart of time against accuracy (chart.svg, .gp, .dat) from the rows of a run
+/// directory, unless nothing counts in them. Throws as write_tables and draw_chart do.
 void write_chart(const std::filesystem::path& directory);
 
 }  // namespace lcp

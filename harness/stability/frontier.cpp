@@ -117,7 +117,8 @@ class Sampling {
     return samples_[place(s, x, y)];
   }
 
-  /// Counts the draws wanted; those beyond, of an earlier session that asked for more, are left out.
+  /// Counts the draws wanted; those beyond, of an earlier session that asked for more, are left
+  /// out.
   FrontierCell cell(const Sample& sample) const {
     FrontierCell cell;
     std::vector<std::int64_t> pivots;

@@ -15,8 +15,8 @@
 
 namespace lcp {
 
-/// Where each solver stops solving, in the plane of two knobs of a family: in every column x the line
-/// of y at which half of the draws are solved (share_line.h).
+/// Where each solver stops solving, in the plane of two knobs of a family: in every column x the
+/// line of y at which half of the draws are solved (share_line.h).
 struct FrontierPlan {
   FrontierGrid grid;
   RunPlan limits;  ///< Solvers, tolerance, limits and jobs; the rest is filled by run_frontier.
@@ -58,11 +58,11 @@ struct Frontier {
 /// Draws and solves until every line is settled or its cells have max_count draws; rows go to a run
 /// directory (run_directory.h), where Existing::resume finds those it has. A round draws what is
 /// wanted, cell by cell, and the next adds `count` draws to the cells whose draws would help
-/// (more_wanted): only to the solvers that want them. What is drawn follows from the outcomes alone,
-/// so that an interrupted run comes to the same end. Empty when interrupted.
+/// (more_wanted): only to the solvers that want them. What is drawn follows from the outcomes
+/// alone, so that an interrupted run comes to the same end. Empty when interrupted.
 ///
-/// Throws std::invalid_argument on knobs that the family refuses, before anything is written; and as
-/// run_into does.
+/// Throws std::invalid_argument on knobs that the family refuses, before anything is written; and
+/// as run_into does.
 std::optional<Frontier> run_frontier(const std::filesystem::path& directory,
                                      const FrontierPlan& plan, Existing existing,
                                      const std::function<void(const std::string&)>& note,

@@ -40,7 +40,8 @@ std::vector<double> cell_edges(const KnobAxis& axis) {
   return all;
 }
 
-/// Columns: x and y of the tick, edges, colour, number of the cell (drawn beside the line), its colour.
+/// Columns: x and y of the tick, edges, colour, number of the cell (drawn beside the line), its
+/// colour.
 std::string cells_data(const KnobAxis& x, const KnobAxis& y, const FrontierRow& row) {
   const std::vector<double> across = cell_edges(x), up = cell_edges(y);
   std::string data;

@@ -79,6 +79,22 @@ std::vector<std::string> line_of(const std::string& name, std::uint64_t seed,
   return line;
 }
 
+/// Of all solvers together.
+std::string agreement(const std::vector<Reproduction>& all) {
+  std::size_t columns = 0;
+  Index agree = 0, lines = 0, within = 0;
+  for (const Reproduction& solver : all) {
+    columns += solver.column_agrees.size();
+    agree += solver.agree;
+    lines += solver.lines;
+    within += solver.within;
+  }
+  return fmt::format(
+      "Both seeds agree in {} of {} columns; of {} lines that both find, the second seed's lies in "
+      "the first's\nown band in {}.\n",
+      agree, columns, lines, within);
+}
+
 std::string in_words(const Reproduction& of) {
   return fmt::format("{} of {}{}", of.agree, of.column_agrees.size(),
                      of.lines > 0 ? fmt::format(" ({} of {})", of.within, of.lines) : "");
@@ -111,7 +127,9 @@ std::string frontier_text(const FrontierReport& report) {
     lines.push_back(line_of("", report.second->plan.seed, *report.second, s));
     lines.back().push_back(in_words(again[s]));
   }
-  text += aligned_columns(lines) + "\n" + frontier_legend;
+  text += aligned_columns(lines) + "\n";
+  if (report.second) text += agreement(again) + "\n";
+  text += frontier_legend;
   if (report.second)
     text +=
         "  agree       columns where both seeds' bands overlap, or that have no line with either "

@@ -27,7 +27,8 @@ std::vector<SharePoint> mirrored(std::vector<SharePoint> points) {
   return points;
 }
 
-/// Where the straight line from (u0, v0) to (u1, v1) is 1/2; v0 and v1 lie on different sides of it.
+/// Where the straight line from (u0, v0) to (u1, v1) is 1/2; v0 and v1 lie on different sides of
+/// it.
 double at_half(double u0, double v0, double u1, double v1) {
   return u0 + (u1 - u0) * (v0 - half) / (v0 - v1);
 }

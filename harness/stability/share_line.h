@@ -20,18 +20,20 @@ namespace lcp {
 ///   Several    When the decided cells, in order, change sides more than once, no monotone share
 ///              explains them: the share crosses several times, once between each two neighbours
 ///              among the decided cells that lie on different sides.
-///   Direction  Falling or rising, as the one change of sides says; without one, as the monotone fit
-///              with the smaller weighted sum of squares does, falling if they tie.
+///   Direction  Falling or rising, as the one change of sides says; without one, as the monotone
+///              fit with the smaller weighted sum of squares does, falling if they tie.
 ///   Fit        The monotone shares p_i in that direction with least sum n_i (k_i / n_i - p_i)^2
-///              (isotonic regression, pool adjacent violators), so that a dip that noise explains is
-///              no crossing. It runs over the cells whose side is not implied: of a falling share from
-///              the last decided above to the first decided below, or to the end of the grid.
-///   Line       The u at which the fit, interpolated, is 1/2; the middle, where it is 1/2 on a stretch.
+///              (isotonic regression, pool adjacent violators), so that a dip that noise explains
+///              is no crossing. It runs over the cells whose side is not implied: of a falling
+///              share from the last decided above to the first decided below, or to the end of the
+///              grid.
+///   Line       The u at which the fit, interpolated, is 1/2; the middle, where that is a stretch.
 ///              None where the fit stays on one side (1/2 itself included): above or below.
-///   Band       If the share is monotone (falling, say), cell i's is at least every lower bound at or
-///              after i, and at most every upper bound at or before it. The band reaches from where the
-///              first of these tightened curves, interpolated, crosses 1/2 to where the second does;
-///              infinite where one does not cross within the grid, and widened to hold the line.
+///   Band       If the share is monotone (falling, say), cell i's is at least every lower bound at
+///              or after i, and at most every upper bound at or before it. The band reaches from
+///              where the first of these tightened curves, interpolated, crosses 1/2 to where the
+///              second does; infinite where one does not cross within the grid, and widened to hold
+///              the line.
 ///
 /// R. Barlow, D. Bartholomew, J. Bremner, H. Brunk (1972), Statistical Inference under Order
 /// Restrictions. E. B. Wilson (1927), J. Amer. Statist. Assoc. 22, 209-212; R. G. Newcombe (1998),
@@ -86,18 +88,18 @@ struct ShareLine {
 /// Cells without counted draws are left out.
 ShareLine find_line(const std::vector<SharePoint>& points);
 
-/// Whether a line is known as well as asked: its band no wider than `width` or than the step it lies
-/// in, or, without a line, no cell open. `several` and `nothing` always are.
+/// Whether a line is known as well as asked: its band no wider than `width` or than the step it
+/// lies in, or, without a line, no cell open. `several` and `nothing` always are.
 bool settled(const ShareLine& line, const std::vector<SharePoint>& points, double width);
 
-/// Per cell, whether more draws would help: the open ones while the line is not settled; once it is,
-/// those outside its band whose share contradicts the fit.
+/// Per cell, whether more draws would help: the open ones while the line is not settled; once it
+/// is, those outside its band whose share contradicts the fit.
 std::vector<bool> more_wanted(const ShareLine& line, const std::vector<SharePoint>& points,
                               double width);
 
-/// Whether two samples of one column agree: two lines in the same direction whose bands overlap, which
-/// is to say that either lies in the other's band widened by its own; as many crossings; or, of
-/// different kinds, no cell that one decides to be above and the other below.
+/// Whether two samples of one column agree: two lines in the same direction whose bands overlap,
+/// which is to say that either lies in the other's band widened by its own; as many crossings; or,
+/// of different kinds, no cell that one decides to be above and the other below.
 bool agree(const ShareLine& a, const std::vector<SharePoint>& points_of_a, const ShareLine& b,
            const std::vector<SharePoint>& points_of_b);
 

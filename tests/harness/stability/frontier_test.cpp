@@ -13,8 +13,8 @@
 namespace lcp {
 namespace {
 
-/// Without degenerate pairs Lemke's algorithm takes a pivot per active pair and one for z0: a limit of 3
-/// is a line that is known exactly. best-first, without one, solves all; the liar nothing.
+/// Without degenerate pairs Lemke's algorithm takes a pivot per active pair and one for z0: a limit
+/// of 3 is a line that is known exactly. best-first, without one, solves all; the liar nothing.
 FrontierPlan exact_plan() {
   FrontierPlan plan;
   plan.grid = {"semidefinite:degenerate=0", parse_axis("n=8,10", "--x"),
@@ -26,7 +26,8 @@ FrontierPlan exact_plan() {
   return plan;
 }
 
-/// Semidefinite problems that a solver with few pivots solves by luck: cells that are neither 0 nor 1.
+/// Semidefinite problems that a solver with few pivots solves by luck: cells that are neither 0 nor
+/// 1.
 FrontierPlan noisy_plan() {
   FrontierPlan plan;
   plan.grid = {"semidefinite:n=8", parse_axis("degenerate=1,2", "--x"),
@@ -149,6 +150,8 @@ TEST_F(FrontierRun, IsToldInTextCsvAndJson) {
   EXPECT_NE(text.find("2.5 [2.02, 2.98]"), std::string::npos) << text;
   EXPECT_NE(text.find("2 of 2 (2 of 2)"), std::string::npos) << text;
   EXPECT_NE(text.find("liar"), std::string::npos) << text;
+  EXPECT_NE(text.find("agree in 6 of 6 columns; of 2 lines that both find"), std::string::npos)
+      << text;
 
   const std::string csv = frontier_csv({found, {}});
   EXPECT_EQ(std::count(csv.begin(), csv.end(), '\n'), 1 + 3 * 2 * 5);
