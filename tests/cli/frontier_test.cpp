@@ -72,10 +72,13 @@ TEST_F(FrontierVerb, ResumesWithoutRepeatingAndPrintsTheFormatAskedFor) {
 }
 
 TEST_F(FrontierVerb, KeepsWhatIsDoneWhenInterrupted) {
-  const Ran ran = small({"--out", "r", "--count", "40", "--max-count", "40"}, "r/rows.jsonl");
+  const Ran ran = run({"semidefinite:degenerate=0", "--x", "n=8,10", "--y", "active=1,2,3,4",
+                       "--solver", "lemke", "--count", "100", "--max-count", "100", "--out", "r"},
+                      "r/rows.jsonl");
   EXPECT_EQ(ran.status, 130) << ran.err;
   EXPECT_NE(ran.err.find("the same command with --resume goes on"), std::string::npos) << ran.err;
   EXPECT_GE(rows("r"), 1);
+  EXPECT_LT(rows("r"), 800);
   EXPECT_FALSE(std::filesystem::exists(file("r/frontier.json")));
 }
 
