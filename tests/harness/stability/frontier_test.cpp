@@ -78,6 +78,22 @@ TEST_F(FrontierRun, FindsTheLineWhereALimitIsReached) {
   }
 }
 
+TEST_F(FrontierRun, CountsCrashesAndHangsAsNotSolved) {
+  FrontierPlan plan = exact_plan();
+  plan.grid.y = parse_axis("active=1,2", "--y");
+  plan.limits.solvers = make_solvers({"crasher", "sleeper"});
+  plan.limits.timeout = std::chrono::milliseconds(20);
+  const Frontier found = *run("r", plan);
+  for (const FrontierRow& row : found.rows)
+    for (const FrontierColumn& column : row.columns) {
+      EXPECT_EQ(column.line.kind, ShareLine::Kind::below);
+      EXPECT_TRUE(column.settled);
+      EXPECT_EQ(
+          column.cells[0].verdicts.at(row.solver == "crasher" ? Verdict::crash : Verdict::timeout),
+          4);
+    }
+}
+
 TEST_F(FrontierRun, AddsDrawsWhereTheShareIsOpenAndOnlyForTheSolverThatWantsThem) {
   const FrontierPlan plan = noisy_plan();
   const Frontier found = *run("r", plan);
