@@ -11,7 +11,7 @@ namespace {
 
 /// The page, in pixels.
 constexpr double panel_width = 230, panel_height = 190;
-constexpr double left_of_panel = 66, above_panel = 44, below_panel = 66, right_of_panels = 20;
+constexpr double left_of_panel = 84, above_panel = 44, below_panel = 66, right_of_panels = 30;
 constexpr double page_top = 104;
 constexpr std::size_t panels_abreast = 4;
 constexpr double cell_gap = 0.02;  // left free on either side of a cell, of its width

@@ -146,6 +146,22 @@ ShareLine mirrored_back(ShareLine line) {
   return line;
 }
 
+bool open_cell(const SharePoint& point) {
+  return point.counted > 0 && side_of(point) == Side::open;
+}
+
+/// Decided, but not at 99.9 %.
+bool unconfirmed(const SharePoint& point) {
+  return side_of(point) != Side::open && side_of(point, confirming_quantile) == Side::open;
+}
+
+/// Whether a cell outside the band of a crossing lies on the other side of 1/2 than the fit.
+bool contradicts(const SharePoint& point, const ShareLine& line) {
+  const bool fit_above = line.rising ? point.u > line.u : point.u < line.u;
+  const bool outside = point.u < line.low || point.u > line.high;
+  return outside && (share_of(point) > half) != fit_above;
+}
+
 bool overlap(const ShareLine& a, const ShareLine& b) { return a.low <= b.high && b.low <= a.high; }
 
 }  // namespace
@@ -159,8 +175,8 @@ Interval wilson_interval(Index solved, Index counted, double quantile) {
   return {solved == 0 ? 0 : centre - reach, solved == counted ? 1 : centre + reach};
 }
 
-Side side_of(const SharePoint& point) {
-  const Interval interval = wilson_interval(point.solved, point.counted);
+Side side_of(const SharePoint& point, double quantile) {
+  const Interval interval = wilson_interval(point.solved, point.counted, quantile);
   return interval.low > half ? Side::above : interval.high < half ? Side::below : Side::open;
 }
 
@@ -210,15 +226,14 @@ ShareLine find_line(const std::vector<SharePoint>& all) {
 bool settled(const ShareLine& line, const std::vector<SharePoint>& points, double width) {
   switch (line.kind) {
     case ShareLine::Kind::several:
+      return std::none_of(points.begin(), points.end(), unconfirmed);
     case ShareLine::Kind::nothing:
       return true;
     case ShareLine::Kind::crossing:
       return line.high - line.low <= std::max(width, line.step);
     case ShareLine::Kind::above:
     case ShareLine::Kind::below:
-      return std::none_of(points.begin(), points.end(), [](const SharePoint& point) {
-        return point.counted > 0 && side_of(point) == Side::open;
-      });
+      return std::none_of(points.begin(), points.end(), open_cell);
   }
   return true;
 }
@@ -228,14 +243,16 @@ std::vector<bool> more_wanted(const ShareLine& line, const std::vector<SharePoin
   const bool known = settled(line, points, width);
   std::vector<bool> wanted;
   for (const SharePoint& point : points) {
-    const bool open = point.counted > 0 && side_of(point) == Side::open;
-    bool contradicts = false;
-    if (open && line.kind == ShareLine::Kind::crossing) {
-      const bool fit_above = line.rising ? point.u > line.u : point.u < line.u;
-      const bool outside = point.u < line.low || point.u > line.high;
-      contradicts = outside && (share_of(point) > half) != fit_above;
+    switch (line.kind) {
+      case ShareLine::Kind::several:
+        wanted.push_back(unconfirmed(point));
+        break;
+      case ShareLine::Kind::crossing:
+        wanted.push_back(open_cell(point) && (!known || contradicts(point, line)));
+        break;
+      default:
+        wanted.push_back(open_cell(point));
     }
-    wanted.push_back(open && (!known || contradicts));
   }
   return wanted;
 }

@@ -19,7 +19,9 @@ namespace lcp {
 ///              decided, else open. Where draws are added until a cell is decided, 95 % is nominal.
 ///   Several    When the decided cells, in order, change sides more than once, no monotone share
 ///              explains them: the share crosses several times, once between each two neighbours
-///              among the decided cells that lie on different sides.
+///              among the decided cells that lie on different sides. Among many cells one in forty
+///              is decided wrongly, which is enough to invent a crossing: more draws are wanted until
+///              they are decided at 99.9 %.
 ///   Direction  Falling or rising, as the one change of sides says; without one, as the monotone
 ///              fit with the smaller weighted sum of squares does, falling if they tie.
 ///   Fit        The monotone shares p_i in that direction with least sum n_i (k_i / n_i - p_i)^2
@@ -41,6 +43,8 @@ namespace lcp {
 
 /// The 97.5 % quantile of the normal distribution: intervals hold 95 %.
 inline constexpr double normal_quantile = 1.959963984540054;
+/// The 99.95 % quantile: intervals hold 99.9 %.
+inline constexpr double confirming_quantile = 3.2905267314919255;
 
 struct Interval {
   double low;
@@ -60,7 +64,7 @@ struct SharePoint {
 enum class Side { below, open, above };
 
 /// Where a cell's interval lies from 1/2.
-Side side_of(const SharePoint& point);
+Side side_of(const SharePoint& point, double quantile = normal_quantile);
 
 /// The weighted least-squares fit of the shares that never falls (`rising`) or never rises. Points
 /// with nothing counted are not allowed.
@@ -89,7 +93,7 @@ struct ShareLine {
 ShareLine find_line(const std::vector<SharePoint>& points);
 
 /// Whether a line is known as well as asked: its band no wider than `width` or than the step it
-/// lies in, or, without a line, no cell open. `several` and `nothing` always are.
+/// lies in; without a line, no cell open; of several, every decided cell decided at 99.9 % too.
 bool settled(const ShareLine& line, const std::vector<SharePoint>& points, double width);
 
 /// Per cell, whether more draws would help: the open ones while the line is not settled; once it

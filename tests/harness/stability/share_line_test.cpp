@@ -161,6 +161,17 @@ TEST(MoreWanted, AsksForTheCellThatContradictsTheFit) {
   EXPECT_EQ(more_wanted(line, dip, 0), (std::vector<bool>{false, true, false, false}));
 }
 
+TEST(MoreWanted, AsksToConfirmWhatMakesAShareCrossSeveralTimes) {
+  // At 99.9 % 8 of 8 reach down to 8 / (8 + z^2) = 0.425, 16 of 16 to 0.596.
+  const std::vector<SharePoint> few = column({8, 0, 8});
+  EXPECT_EQ(find_line(few).kind, Kind::several);
+  EXPECT_FALSE(settled(find_line(few), few, 0));
+  EXPECT_EQ(more_wanted(find_line(few), few, 0), std::vector<bool>(3, true));
+  const std::vector<SharePoint> many = column({16, 0, 16}, 16);
+  EXPECT_TRUE(settled(find_line(many), many, 0));
+  EXPECT_EQ(more_wanted(find_line(many), many, 0), std::vector<bool>(3, false));
+}
+
 TEST(MoreWanted, AsksForTheOpenCellsWhereThereIsNoLine) {
   const std::vector<SharePoint> points = column({8, 6});
   const ShareLine line = find_line(points);
