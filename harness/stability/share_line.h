@@ -19,9 +19,9 @@ namespace lcp {
 ///              decided, else open. Where draws are added until a cell is decided, 95 % is nominal.
 ///   Several    When the decided cells, in order, change sides more than once, no monotone share
 ///              explains them: the share crosses several times, once between each two neighbours
-///              among the decided cells that lie on different sides. Among many cells one in forty
-///              is decided wrongly, which is enough to invent a crossing: more draws are wanted until
-///              they are decided at 99.9 %.
+///              among the decided cells that lie on different sides. Of many cells at 1/2 one in
+///              twenty is decided wrongly, which is enough to invent a crossing: more draws are
+///              wanted until all are decided at 99.9 %.
 ///   Direction  Falling or rising, as the one change of sides says; without one, as the monotone
 ///              fit with the smaller weighted sum of squares does, falling if they tie.
 ///   Fit        The monotone shares p_i in that direction with least sum n_i (k_i / n_i - p_i)^2
