@@ -18,7 +18,7 @@ namespace {
 FrontierPlan exact_plan() {
   FrontierPlan plan;
   plan.grid = {"semidefinite:degenerate=0", parse_axis("n=8,10", "--x"),
-               parse_axis("active=1,2,3,4,5", "--y")};
+               parse_axis("active=1,2,3,4", "--y")};
   plan.limits.solvers = make_solvers({"lemke:max_pivots=3", "best-first", "liar"});
   plan.limits.timeout = std::chrono::seconds(60);
   plan.count = 4;
@@ -39,17 +39,31 @@ FrontierPlan noisy_plan() {
   return plan;
 }
 
+std::optional<Frontier> run_in(const std::string& directory, const FrontierPlan& plan,
+                               Existing existing, std::size_t pairs) {
+  std::atomic<bool> interrupted = false;
+  return run_frontier(
+      directory, plan, existing, [](const std::string&) {},
+      [&](const Progress& progress) { interrupted = pairs > 0 && progress.done >= pairs; },
+      interrupted);
+}
+
+/// The frontier of exact_plan(), found once for all tests.
+const Frontier& exact_frontier() {
+  static const Frontier found = [] {
+    const TemporaryDirectory directory;
+    return *run_in(directory.file("r"), exact_plan(), Existing::refuse, 0);
+  }();
+  return found;
+}
+
 class FrontierRun : public testing::Test {
  protected:
   std::string at(const std::string& name) const { return directory_.file(name); }
   /// Gives up after so many pairs, unless 0.
   std::optional<Frontier> run(const std::string& name, const FrontierPlan& plan,
                               Existing existing = Existing::refuse, std::size_t pairs = 0) {
-    std::atomic<bool> interrupted = false;
-    return run_frontier(
-        at(name), plan, existing, [](const std::string&) {},
-        [&](const Progress& progress) { interrupted = pairs > 0 && progress.done >= pairs; },
-        interrupted);
+    return run_in(at(name), plan, existing, pairs);
   }
 
  private:
@@ -57,7 +71,7 @@ class FrontierRun : public testing::Test {
 };
 
 TEST_F(FrontierRun, FindsTheLineWhereALimitIsReached) {
-  const Frontier found = *run("r", exact_plan());
+  const Frontier& found = exact_frontier();
   ASSERT_EQ(found.rows.size(), 3u);
   for (const FrontierColumn& column : found.rows[0].columns) {
     ASSERT_EQ(column.line.kind, ShareLine::Kind::crossing);
@@ -81,17 +95,18 @@ TEST_F(FrontierRun, FindsTheLineWhereALimitIsReached) {
 TEST_F(FrontierRun, CountsCrashesAndHangsAsNotSolved) {
   FrontierPlan plan = exact_plan();
   plan.grid.y = parse_axis("active=1,2", "--y");
-  plan.limits.solvers = make_solvers({"crasher", "sleeper"});
-  plan.limits.timeout = std::chrono::milliseconds(20);
-  const Frontier found = *run("r", plan);
-  for (const FrontierRow& row : found.rows)
-    for (const FrontierColumn& column : row.columns) {
+  const auto expect_all = [&](const std::string& solver, Verdict verdict) {
+    plan.limits.solvers = make_solvers({solver});
+    const Frontier found = *run(solver, plan);
+    for (const FrontierColumn& column : found.rows.at(0).columns) {
       EXPECT_EQ(column.line.kind, ShareLine::Kind::below);
       EXPECT_TRUE(column.settled);
-      EXPECT_EQ(
-          column.cells[0].verdicts.at(row.solver == "crasher" ? Verdict::crash : Verdict::timeout),
-          4);
+      EXPECT_EQ(column.cells[0].verdicts.at(verdict), 4);
     }
+  };
+  expect_all("crasher", Verdict::crash);
+  plan.limits.timeout = std::chrono::milliseconds(20);
+  expect_all("sleeper", Verdict::timeout);
 }
 
 TEST_F(FrontierRun, AddsDrawsWhereTheShareIsOpenAndOnlyForTheSolverThatWantsThem) {
@@ -128,7 +143,7 @@ TEST_F(FrontierRun, ResumedAfterInterruptionsComesToTheSameEnd) {
 }
 
 TEST_F(FrontierRun, RefusesToResumeAnotherQuestion) {
-  ASSERT_TRUE(run("r", exact_plan()).has_value());
+  EXPECT_FALSE(run("r", exact_plan(), Existing::refuse, 1).has_value());
   FrontierPlan other = exact_plan();
   other.seed = 2;
   EXPECT_THROW(run("r", other, Existing::resume), std::invalid_argument);
@@ -143,7 +158,7 @@ TEST_F(FrontierRun, RefusesKnobsBeforeItWritesAnything) {
 }
 
 TEST_F(FrontierRun, ASecondSeedReproducesWhatIsExactAndCanContradict) {
-  const Frontier first = *run("a", exact_plan());
+  const Frontier& first = exact_frontier();
   FrontierPlan plan = exact_plan();
   plan.seed = 2;
   const Frontier second = *run("b", plan);
@@ -161,7 +176,7 @@ TEST_F(FrontierRun, ASecondSeedReproducesWhatIsExactAndCanContradict) {
 }
 
 TEST_F(FrontierRun, IsToldInTextCsvAndJson) {
-  const Frontier found = *run("r", exact_plan());
+  const Frontier& found = exact_frontier();
   const std::string text = frontier_text({found, found});
   EXPECT_NE(text.find("2.5 [2.02, 2.98]"), std::string::npos) << text;
   EXPECT_NE(text.find("2 of 2 (2 of 2)"), std::string::npos) << text;
@@ -170,8 +185,8 @@ TEST_F(FrontierRun, IsToldInTextCsvAndJson) {
       << text;
 
   const std::string csv = frontier_csv({found, {}});
-  EXPECT_EQ(std::count(csv.begin(), csv.end(), '\n'), 1 + 3 * 2 * 5);
-  EXPECT_NE(csv.find("liar,1,10,5,4,4,0,0.0000,0.4899,,wrong 4\n"), std::string::npos) << csv;
+  EXPECT_EQ(std::count(csv.begin(), csv.end(), '\n'), 1 + 3 * 2 * 4);
+  EXPECT_NE(csv.find("liar,1,10,4,4,4,0,0.0000,0.4899,,wrong 4\n"), std::string::npos) << csv;
 
   const nlohmann::json json = frontier_json({found, {}});
   EXPECT_EQ(json.at("rows")[0].at("columns")[1].at("line"), "crossing");
@@ -181,7 +196,7 @@ TEST_F(FrontierRun, IsToldInTextCsvAndJson) {
 }
 
 TEST_F(FrontierRun, IsDrawnWithAPanelPerSolverAndANoteWhereThereIsNoLine) {
-  const Frontier found = *run("r", exact_plan());
+  const Frontier& found = exact_frontier();
   const GnuplotPage page = frontier_page(found);
   EXPECT_NE(page.commands.find("set title 'liar'"), std::string::npos);
   EXPECT_NE(page.commands.find("no line: below 1/2 in every column"), std::string::npos);
