@@ -158,7 +158,7 @@ plot DATA index {cells} using 1:2:($3+{gap}*($4-$3)):($4-{gap}*($4-$3)):($5+{gap
      DATA index {line} using 1:2 with lines lw 2.5 lc rgb '#D55E00', \
      DATA index {line} using 1:2 with points pt 7 ps 0.6 lc rgb '#D55E00', \
      DATA index {several} using 1:2 with points pt 2 ps 0.9 lw 2 lc rgb '#000000', \
-     DATA index {cells} using ($3+0.27*($4-$3)):2:8:9 with labels font ',8' tc rgb variable
+     DATA index {cells} using ($3+0.27*($4-$3)):2:(strcol(8) eq '0' ? '' : strcol(8)):9 with labels font ',8' tc rgb variable
 )",
       fmt::arg("solver", fit_for_gnuplot(row.solver)), fmt::arg("note", panel_note(row)),
       fmt::arg("x_low", cell_edges(grid.x).front()), fmt::arg("x_high", cell_edges(grid.x).back()),
@@ -202,7 +202,8 @@ std::string page_head(const FrontierPlan& plan, double width, double height) {
       "set label 20 'half are solved; bar: its 95 % band' at {6},{2} left font ',11'\n"
       "set label 21 '{{/:Bold x}}  where a share that is not monotone crosses 1/2' at {7},{2} left "
       "font ',11'\n"
-      "set label 22 'numbers: % solved of {8} to {9} draws' at {10},{2} left font ',11'\n",
+      "set label 22 'numbers: % solved of {8} to {9} draws; blank: none' at {10},{2} left font "
+      "',11'\n",
       line, line + 36, middle, line + 18, middle - 11, middle + 11, line + 44, line + 280,
       plan.count, plan.max_count, line + 590);
   text += "plot NaN\nunset label\nunset object\nunset arrow\n";

@@ -29,7 +29,7 @@ set arrow 1 from 208,76 to 244,76 nohead lw 2.5 lc rgb '#D55E00'
 set arrow 2 from 226,65 to 226,87 nohead lw 5 lc rgb '#E69F00'
 set label 20 'half are solved; bar: its 95 % band' at 252,76 left font ',11'
 set label 21 '{/:Bold x}  where a share that is not monotone crosses 1/2' at 488,76 left font ',11'
-set label 22 'numbers: % solved of 8 to 128 draws' at 798,76 left font ',11'
+set label 22 'numbers: % solved of 8 to 128 draws; blank: none' at 798,76 left font ',11'
 plot NaN
 unset label
 unset object
@@ -52,7 +52,7 @@ plot DATA index 0 using 1:2:($3+0.02*($4-$3)):($4-0.02*($4-$3)):($5+0.02*($6-$5)
      DATA index 1 using 1:2 with lines lw 2.5 lc rgb '#D55E00', \
      DATA index 1 using 1:2 with points pt 7 ps 0.6 lc rgb '#D55E00', \
      DATA index 2 using 1:2 with points pt 2 ps 0.9 lw 2 lc rgb '#000000', \
-     DATA index 0 using ($3+0.27*($4-$3)):2:8:9 with labels font ',8' tc rgb variable
+     DATA index 0 using ($3+0.27*($4-$3)):2:(strcol(8) eq '0' ? '' : strcol(8)):9 with labels font ',8' tc rgb variable
 set lmargin at screen 0.30949
 set rmargin at screen 0.48834
 set tmargin at screen 0.85259
@@ -71,7 +71,7 @@ plot DATA index 3 using 1:2:($3+0.02*($4-$3)):($4-0.02*($4-$3)):($5+0.02*($6-$5)
      DATA index 4 using 1:2 with lines lw 2.5 lc rgb '#D55E00', \
      DATA index 4 using 1:2 with points pt 7 ps 0.6 lc rgb '#D55E00', \
      DATA index 5 using 1:2 with points pt 2 ps 0.9 lw 2 lc rgb '#000000', \
-     DATA index 3 using ($3+0.27*($4-$3)):2:8:9 with labels font ',8' tc rgb variable
+     DATA index 3 using ($3+0.27*($4-$3)):2:(strcol(8) eq '0' ? '' : strcol(8)):9 with labels font ',8' tc rgb variable
 set lmargin at screen 0.55365
 set rmargin at screen 0.73250
 set tmargin at screen 0.85259
@@ -90,7 +90,7 @@ plot DATA index 6 using 1:2:($3+0.02*($4-$3)):($4-0.02*($4-$3)):($5+0.02*($6-$5)
      DATA index 7 using 1:2 with lines lw 2.5 lc rgb '#D55E00', \
      DATA index 7 using 1:2 with points pt 7 ps 0.6 lc rgb '#D55E00', \
      DATA index 8 using 1:2 with points pt 2 ps 0.9 lw 2 lc rgb '#000000', \
-     DATA index 6 using ($3+0.27*($4-$3)):2:8:9 with labels font ',8' tc rgb variable
+     DATA index 6 using ($3+0.27*($4-$3)):2:(strcol(8) eq '0' ? '' : strcol(8)):9 with labels font ',8' tc rgb variable
 set lmargin at screen 0.79782
 set rmargin at screen 0.97667
 set tmargin at screen 0.85259
@@ -109,7 +109,7 @@ plot DATA index 9 using 1:2:($3+0.02*($4-$3)):($4-0.02*($4-$3)):($5+0.02*($6-$5)
      DATA index 10 using 1:2 with lines lw 2.5 lc rgb '#D55E00', \
      DATA index 10 using 1:2 with points pt 7 ps 0.6 lc rgb '#D55E00', \
      DATA index 11 using 1:2 with points pt 2 ps 0.9 lw 2 lc rgb '#000000', \
-     DATA index 9 using ($3+0.27*($4-$3)):2:8:9 with labels font ',8' tc rgb variable
+     DATA index 9 using ($3+0.27*($4-$3)):2:(strcol(8) eq '0' ? '' : strcol(8)):9 with labels font ',8' tc rgb variable
 set lmargin at screen 0.06532
 set rmargin at screen 0.24417
 set tmargin at screen 0.55378
@@ -128,7 +128,7 @@ plot DATA index 12 using 1:2:($3+0.02*($4-$3)):($4-0.02*($4-$3)):($5+0.02*($6-$5
      DATA index 13 using 1:2 with lines lw 2.5 lc rgb '#D55E00', \
      DATA index 13 using 1:2 with points pt 7 ps 0.6 lc rgb '#D55E00', \
      DATA index 14 using 1:2 with points pt 2 ps 0.9 lw 2 lc rgb '#000000', \
-     DATA index 12 using ($3+0.27*($4-$3)):2:8:9 with labels font ',8' tc rgb variable
+     DATA index 12 using ($3+0.27*($4-$3)):2:(strcol(8) eq '0' ? '' : strcol(8)):9 with labels font ',8' tc rgb variable
 set lmargin at screen 0.30949
 set rmargin at screen 0.48834
 set tmargin at screen 0.55378
@@ -147,7 +147,7 @@ plot DATA index 15 using 1:2:($3+0.02*($4-$3)):($4-0.02*($4-$3)):($5+0.02*($6-$5
      DATA index 16 using 1:2 with lines lw 2.5 lc rgb '#D55E00', \
      DATA index 16 using 1:2 with points pt 7 ps 0.6 lc rgb '#D55E00', \
      DATA index 17 using 1:2 with points pt 2 ps 0.9 lw 2 lc rgb '#000000', \
-     DATA index 15 using ($3+0.27*($4-$3)):2:8:9 with labels font ',8' tc rgb variable
+     DATA index 15 using ($3+0.27*($4-$3)):2:(strcol(8) eq '0' ? '' : strcol(8)):9 with labels font ',8' tc rgb variable
 set lmargin at screen 0.55365
 set rmargin at screen 0.73250
 set tmargin at screen 0.55378
@@ -166,7 +166,7 @@ plot DATA index 18 using 1:2:($3+0.02*($4-$3)):($4-0.02*($4-$3)):($5+0.02*($6-$5
      DATA index 19 using 1:2 with lines lw 2.5 lc rgb '#D55E00', \
      DATA index 19 using 1:2 with points pt 7 ps 0.6 lc rgb '#D55E00', \
      DATA index 20 using 1:2 with points pt 2 ps 0.9 lw 2 lc rgb '#000000', \
-     DATA index 18 using ($3+0.27*($4-$3)):2:8:9 with labels font ',8' tc rgb variable
+     DATA index 18 using ($3+0.27*($4-$3)):2:(strcol(8) eq '0' ? '' : strcol(8)):9 with labels font ',8' tc rgb variable
 set lmargin at screen 0.79782
 set rmargin at screen 0.97667
 set tmargin at screen 0.55378
@@ -185,7 +185,7 @@ plot DATA index 21 using 1:2:($3+0.02*($4-$3)):($4-0.02*($4-$3)):($5+0.02*($6-$5
      DATA index 22 using 1:2 with lines lw 2.5 lc rgb '#D55E00', \
      DATA index 22 using 1:2 with points pt 7 ps 0.6 lc rgb '#D55E00', \
      DATA index 23 using 1:2 with points pt 2 ps 0.9 lw 2 lc rgb '#000000', \
-     DATA index 21 using ($3+0.27*($4-$3)):2:8:9 with labels font ',8' tc rgb variable
+     DATA index 21 using ($3+0.27*($4-$3)):2:(strcol(8) eq '0' ? '' : strcol(8)):9 with labels font ',8' tc rgb variable
 set lmargin at screen 0.06532
 set rmargin at screen 0.24417
 set tmargin at screen 0.25498
@@ -204,7 +204,7 @@ plot DATA index 24 using 1:2:($3+0.02*($4-$3)):($4-0.02*($4-$3)):($5+0.02*($6-$5
      DATA index 25 using 1:2 with lines lw 2.5 lc rgb '#D55E00', \
      DATA index 25 using 1:2 with points pt 7 ps 0.6 lc rgb '#D55E00', \
      DATA index 26 using 1:2 with points pt 2 ps 0.9 lw 2 lc rgb '#000000', \
-     DATA index 24 using ($3+0.27*($4-$3)):2:8:9 with labels font ',8' tc rgb variable
+     DATA index 24 using ($3+0.27*($4-$3)):2:(strcol(8) eq '0' ? '' : strcol(8)):9 with labels font ',8' tc rgb variable
 set lmargin at screen 0.30949
 set rmargin at screen 0.48834
 set tmargin at screen 0.25498
@@ -223,5 +223,5 @@ plot DATA index 27 using 1:2:($3+0.02*($4-$3)):($4-0.02*($4-$3)):($5+0.02*($6-$5
      DATA index 28 using 1:2 with lines lw 2.5 lc rgb '#D55E00', \
      DATA index 28 using 1:2 with points pt 7 ps 0.6 lc rgb '#D55E00', \
      DATA index 29 using 1:2 with points pt 2 ps 0.9 lw 2 lc rgb '#000000', \
-     DATA index 27 using ($3+0.27*($4-$3)):2:8:9 with labels font ',8' tc rgb variable
+     DATA index 27 using ($3+0.27*($4-$3)):2:(strcol(8) eq '0' ? '' : strcol(8)):9 with labels font ',8' tc rgb variable
 unset multiplot
