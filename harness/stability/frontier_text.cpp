@@ -16,7 +16,7 @@ constexpr const char* frontier_legend =
   above       more than half are solved in every cell; below: fewer than half
   crosses Nx  the share is not monotone: decided cells change sides N times, near the values named
   >           the band is open towards the edge of the grid
-  *           still wider, or more open, than asked for after all the draws allowed
+  *           still wider, or less certain, than asked for after all the draws allowed
   not counted no draw counts: unsupported, not run, or z = 0 solves it
 )";
 
@@ -45,7 +45,7 @@ std::string line_in_words(const KnobAxis& y, const FrontierColumn& column) {
       std::string text = fmt::format("crosses {}x", line.crossings.size());
       for (const double u : line.crossings)
         text += fmt::format("{} {}", u == line.crossings.front() ? ":" : ",", printed_value(y, u));
-      return text;
+      return text + mark;
     }
     case ShareLine::Kind::nothing:
       return "not counted";
