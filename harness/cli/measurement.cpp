@@ -50,14 +50,7 @@ void print_pairs(const RunPlan& plan) {
 
 }  // namespace
 
-void add_options(CLI::App& page, Measurement& measurement) {
-  CLI::Option* suite = page.add_option("--suite", measurement.suite,
-                                       "Suite of instances (see: lcpbench list suites)");
-  page.add_option("--corpus", measurement.corpora,
-                  "Instances instead of a suite: FILE, FILE#NAME or directory, repeatable")
-      ->excludes(suite);
-  add_reading_option(page, measurement.reading);
-  add_start_option(page, measurement.starts);
+void add_limits(CLI::App& page, Measurement& measurement) {
   page.add_option("--tolerance", measurement.tolerance,
                   "Largest natural residual (scaled) that counts as solved")
       ->check(CLI::PositiveNumber)
@@ -73,6 +66,25 @@ void add_options(CLI::App& page, Measurement& measurement) {
   page.add_option("--max-contacts", measurement.max_contacts,
                   "Larger instances become not-run rows. Default: the suite's, or 60")
       ->check(CLI::NonNegativeNumber);
+}
+
+void set_limits(RunPlan& plan, const Measurement& measurement) {
+  plan.timeout = parse_duration(measurement.timeout, "--timeout");
+  plan.memory_bytes = parse_bytes(measurement.memory, "--memory");
+  plan.tolerance = measurement.tolerance;
+  plan.jobs = measurement.jobs;
+  if (measurement.max_contacts) plan.max_contacts = *measurement.max_contacts;
+}
+
+void add_options(CLI::App& page, Measurement& measurement) {
+  CLI::Option* suite = page.add_option("--suite", measurement.suite,
+                                       "Suite of instances (see: lcpbench list suites)");
+  page.add_option("--corpus", measurement.corpora,
+                  "Instances instead of a suite: FILE, FILE#NAME or directory, repeatable")
+      ->excludes(suite);
+  add_reading_option(page, measurement.reading);
+  add_start_option(page, measurement.starts);
+  add_limits(page, measurement);
   CLI::Option* limit =
       page.add_option("--limit", measurement.limit, "Only the first K instances of each corpus")
           ->check(CLI::PositiveNumber);
@@ -96,16 +108,13 @@ std::string suite_name(const Measurement& measurement) {
 
 RunPlan make_plan(const Measurement& measurement, std::vector<NamedSolver> solvers) {
   RunPlan plan;
-  plan.timeout = parse_duration(measurement.timeout, "--timeout");
-  plan.memory_bytes = parse_bytes(measurement.memory, "--memory");
+  set_limits(plan, measurement);
   plan.starts = start_kinds(measurement.starts);
-  plan.tolerance = measurement.tolerance;
-  plan.jobs = measurement.jobs;
   plan.solvers = std::move(solvers);
   plan.shard = parse_shard(measurement.shard);
   const std::string suite = suite_name(measurement);
-  plan.max_contacts = measurement.max_contacts.value_or(
-      suite.empty() ? plan.max_contacts : find_suite(suite).max_contacts);
+  if (!measurement.max_contacts && !suite.empty())
+    plan.max_contacts = find_suite(suite).max_contacts;
   plan.instances = thinned(
       suite.empty() ? load(measurement.corpora, measurement.reading) : generate(find_suite(suite)),
       measurement.every, measurement.limit);

@@ -29,6 +29,12 @@ struct Measurement {
   std::string out;
 };
 
+/// How far a solve may go and what counts as solved: --tolerance, --timeout, --memory, --jobs and
+/// --max-contacts, of a verb's page,
+void add_limits(CLI::App& page, Measurement& measurement);
+/// and in its plan; max_contacts is left alone where it is not given. Throws std::invalid_argument.
+void set_limits(RunPlan& plan, const Measurement& measurement);
+
 /// Adds the options of `measurement` to a verb's page.
 void add_options(CLI::App& page, Measurement& measurement);
 

@@ -63,7 +63,7 @@ StudyPlan study_plan(const std::string& scene, const std::string& duration,
 
 /// Names every model that would be simulated without knowing which pass.
 void print_plan(const StudyPlan& plan) {
-  const Ladder& ladder = plan.ladder;
+  const ModelLadder& ladder = plan.ladder;
   const SceneModel reference = model_of(ladder, std::vector<std::size_t>(ladder.axes.size(), 0));
   fmt::print("{}: up to {:g} s, {} rounds\n  reference: {} with {}\n", ladder.scene, plan.duration,
              plan.rounds, reference.scene, reference.solver);

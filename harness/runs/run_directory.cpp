@@ -105,10 +105,9 @@ void require_same_run(const fs::path& directory, const RunSettings& begun, const
                     directory.string(), fmt::join(found, "; ")));
 }
 
-/// Makes a directory that holds a run ready to go on with it: `plan` gets the pairs done, and
-/// the settings to store come back.
-RunSettings resume(const fs::path& directory, RunPlan& plan, RunSettings settings,
-                   const json& environment, const std::function<void(const std::string&)>& note) {
+/// Makes a directory that holds a run ready to go on with it; the settings to store come back.
+RunSettings resume(const fs::path& directory, RunSettings settings, const json& environment,
+                   const std::function<void(const std::string&)>& note) {
   const auto [before, known] = read_run_header(directory);
   require_same_run(directory, before, settings, known.front(), environment);
   if (environment.at("dirty") == true)
@@ -121,12 +120,49 @@ RunSettings resume(const fs::path& directory, RunPlan& plan, RunSettings setting
     write_json(file_of(directory, environment, false), environment);
   }
   remove_unfinished(directory);
-  plan.done = pairs_done(directory);
   std::vector<std::string> solvers = before.solvers;
   append_missing(solvers, settings.solvers);
   settings.solvers = std::move(solvers);
   return settings;
 }
+
+}  // namespace
+
+OpenRun open_run(const fs::path& directory, RunSettings settings, int jobs, Existing existing,
+                 const std::function<void(const std::string&)>& note) {
+  const bool there = fs::exists(directory);
+  if (there && existing == Existing::refuse)
+    throw std::invalid_argument(
+        fmt::format("{} exists: --resume continues it; or name a new directory, or move it aside",
+                    directory.string()));
+  const bool begun = there && fs::exists(directory / "run.json");
+  if (there && !begun && fs::exists(directory / "rows.jsonl"))
+    throw std::invalid_argument(fmt::format(
+        "{} has rows but no run.json, so it cannot be resumed: name a new directory with --out",
+        directory.string()));
+
+  const json environment = describe_environment(jobs);
+  if (begun) {
+    settings = resume(directory, std::move(settings), environment, note);
+  } else {
+    create(directory);
+    remove_unfinished(directory);  // of a run killed before it had a run.json
+    write_json(file_of(directory, environment, true), environment);
+  }
+  return {std::move(settings), environment.at("id").get<std::string>(), begun};
+}
+
+void write_run_settings(const fs::path& directory, const RunSettings& settings) {
+  write_json(directory / "run.json", settings);
+}
+
+std::function<void(const Record&)> open_rows(const fs::path& directory) {
+  const auto writer =
+      writing_rows([&] { return std::make_shared<RecordWriter>(directory.string()); });
+  return [writer](const Record& record) { writing_rows([&] { writer->write(record); }); };
+}
+
+namespace {
 
 /// A run of several parts into one directory.
 class RunSession {
@@ -134,67 +170,51 @@ class RunSession {
   /// Prepares the directory, and fills environment and done of `plan`.
   RunSession(const fs::path& directory, RunPlan& plan, RunSettings settings, Existing existing,
              const std::function<void(const std::string&)>& note)
-      : directory_(directory), settings_(std::move(settings)) {
-    const bool there = fs::exists(directory);
-    if (there && existing == Existing::refuse)
-      throw std::invalid_argument(
-          fmt::format("{} exists: --resume continues it; or name a new directory, or move it aside",
-                      directory.string()));
-    begun_ = there && fs::exists(directory / "run.json");
-    if (there && !begun_ && fs::exists(directory / "rows.jsonl"))
-      throw std::invalid_argument(fmt::format(
-          "{} has rows but no run.json, so it cannot be resumed: name a new directory with --out",
-          directory.string()));
-
-    const json environment = describe_environment(plan.jobs);
-    plan.environment = environment.at("id").get<std::string>();
-    if (begun_) {
-      settings_ = resume(directory, plan, std::move(settings_), environment, note);
-    } else {
-      create(directory);
-      remove_unfinished(directory);  // of a run killed before it had a run.json
-      write_json(file_of(directory, environment, true), environment);
-      open_rows();
-    }
+      : directory_(directory),
+        run_(open_run(directory, std::move(settings), plan.jobs, existing, note)) {
+    plan.environment = run_.environment;
+    if (run_.begun)
+      plan.done = pairs_done(directory);
+    else
+      begin_rows();
     report_.rows_before = plan.done.size();
   }
 
   /// Runs what is open of `part`.
   void run_part(const RunPlan& part, const std::function<void(const Progress&)>& progress,
                 const std::atomic<bool>& interrupted) {
-    if (begun_ && open_pairs(part).empty()) return;
-    open_rows();
+    if (run_.begun && open_pairs(part).empty()) return;
+    begin_rows();
     run(
         part,
         [&](const Record& record) {
-          writing_rows([&] { writer_->write(record); });
+          write_row_(record);
           ++report_.rows;
         },
         progress, interrupted);
   }
 
   RunReport finish(bool interrupted) {
-    if (!begun_ && !interrupted) {
+    if (!run_.begun && !interrupted) {
       const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - begin_;
-      settings_.seconds = elapsed.count();
-      write_json(directory_ / "run.json", settings_);
+      run_.settings.seconds = elapsed.count();
+      write_run_settings(directory_, run_.settings);
     }
     return report_;
   }
 
  private:
   /// A run that is resumed only to find nothing left keeps its settings, `seconds` among them.
-  void open_rows() {
-    if (writer_) return;
-    write_json(directory_ / "run.json", settings_);
-    writer_ = writing_rows([&] { return std::make_unique<RecordWriter>(directory_.string()); });
+  void begin_rows() {
+    if (write_row_) return;
+    write_run_settings(directory_, run_.settings);
+    write_row_ = open_rows(directory_);
     begin_ = std::chrono::steady_clock::now();
   }
 
   const fs::path directory_;
-  RunSettings settings_;
-  bool begun_ = false;  ///< By an earlier session.
-  std::unique_ptr<RecordWriter> writer_;
+  OpenRun run_;
+  std::function<void(const Record&)> write_row_;
   std::chrono::steady_clock::time_point begin_;
   RunReport report_;
 };

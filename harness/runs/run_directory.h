@@ -60,6 +60,25 @@ RunReport run_into(const std::filesystem::path& directory, RunPlan plan, const E
                    const std::function<void(const Progress&)>& progress,
                    const std::atomic<bool>& interrupted);
 
+/// A run directory made ready for rows.
+struct OpenRun {
+  RunSettings settings;     ///< For its run.json: solvers of earlier sessions come first.
+  std::string environment;  ///< For its rows: id of this session's.
+  bool begun = false;       ///< A session was there before.
+};
+
+/// Makes `directory` ready, for what draws its instances as it goes; run_into does the same for a
+/// plan. It has its environment's file then, but run.json only if it had one (see
+/// write_run_settings). Throws as run_into does.
+OpenRun open_run(const std::filesystem::path& directory, RunSettings settings, int jobs,
+                 Existing existing, const std::function<void(const std::string&)>& note);
+
+/// Writes run.json. Throws UnwritableOutput.
+void write_run_settings(const std::filesystem::path& directory, const RunSettings& settings);
+
+/// Appends rows to a run directory. It and the function returned throw UnwritableOutput.
+std::function<void(const Record&)> open_rows(const std::filesystem::path& directory);
+
 /// The pairs that have a row in a run directory; none where there is no such directory or no row.
 /// Throws UnreadableInput where rows are malformed.
 std::set<PairKey> pairs_done(const std::filesystem::path& directory);

@@ -44,17 +44,17 @@ Measure measure_from_string(const std::string& name) {
       fmt::format("unknown measure '{}', known are: {}", name, fmt::join(names, ", ")));
 }
 
-Outcome outcome_of(const Record& record, double tolerance) {
+Standing standing_of(const Record& record, double tolerance) {
   switch (rejudge(record, tolerance)) {
     case Verdict::unsupported:
-      return Outcome::unsupported;
+      return Standing::unsupported;
     case Verdict::not_run:
-      return Outcome::not_run;
+      return Standing::not_run;
     case Verdict::solved:
-      return record.accuracy && record.accuracy->zero_residual <= tolerance ? Outcome::trivial
-                                                                            : Outcome::solved;
+      return record.accuracy && record.accuracy->zero_residual <= tolerance ? Standing::trivial
+                                                                            : Standing::solved;
     default:
-      return Outcome::failed;
+      return Standing::failed;
   }
 }
 
@@ -74,22 +74,22 @@ double cost_of(const Record& record, Measure measure) {
   throw std::logic_error("measure without a cost");
 }
 
-void Mass::add(Outcome outcome) {
+void Mass::add(Standing standing) {
   ++instances;
-  switch (outcome) {
-    case Outcome::solved:
+  switch (standing) {
+    case Standing::solved:
       ++solved;
       return;
-    case Outcome::failed:
+    case Standing::failed:
       ++failed;
       return;
-    case Outcome::trivial:
+    case Standing::trivial:
       ++trivial;
       return;
-    case Outcome::unsupported:
+    case Standing::unsupported:
       ++unsupported;
       return;
-    case Outcome::not_run:
+    case Standing::not_run:
       ++not_run;
       return;
   }

@@ -13,7 +13,7 @@ namespace lcp {
 ///
 /// *Setting* s: a solver in full spelling, with what it starts from.
 /// *Group*: the instances of one corpus, or of all corpora together.
-/// *Outcome* of a row at accuracy E, judged anew from its residual (rejudge in tables/table.h):
+/// *Standing* of a row at accuracy E, judged anew from its residual (rejudge in tables/table.h):
 /// `unsupported` or `not_run` as stored; `trivial`, where it is solved and z = 0 passes at E too;
 /// `solved`; every other verdict is `failed`.
 /// *Mass*: solved + failed + trivial + unsupported + not_run = rows of s in the group. A failure has
@@ -57,9 +57,9 @@ struct SheetOptions {
   double count_offset = 1;                        ///< o of ratios of counts; above 0.
 };
 
-enum class Outcome { solved, failed, trivial, unsupported, not_run };
+enum class Standing { solved, failed, trivial, unsupported, not_run };
 
-Outcome outcome_of(const Record& record, double tolerance);
+Standing standing_of(const Record& record, double tolerance);
 
 /// Cost of a row; infinity where no time was sampled.
 double cost_of(const Record& record, Measure measure);
@@ -72,7 +72,7 @@ struct Mass {
   double share_solved() const {
     return counted() == 0 ? 0 : static_cast<double>(solved) / static_cast<double>(counted());
   }
-  void add(Outcome outcome);
+  void add(Standing standing);
 };
 
 /// Quartiles and median over the instances that a setting solved.

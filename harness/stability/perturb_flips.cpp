@@ -13,8 +13,6 @@ namespace lcp {
 
 namespace {
 
-constexpr double normal_97_5 = 1.959963984540054;  // Quantile of the normal distribution.
-
 /// A disturbed run with its answer in the original problem's terms.
 struct Run {
   const Record* record;
@@ -206,15 +204,6 @@ std::string hash_from(const Instance& instance, const std::string& start) {
 }
 
 }  // namespace
-
-Interval wilson_interval(Index count, Index trials) {
-  if (trials == 0) return {};
-  const double n = static_cast<double>(trials), p = static_cast<double>(count) / n;
-  const double z2 = normal_97_5 * normal_97_5;
-  const double middle = (p + z2 / (2 * n)) / (1 + z2 / n);
-  const double half = normal_97_5 / (1 + z2 / n) * std::sqrt(p * (1 - p) / n + z2 / (4 * n * n));
-  return {count == 0 ? 0 : middle - half, count == trials ? 1 : middle + half};
-}
 
 Flips count_flips(const std::vector<Instance>& instances, const std::vector<Record>& records,
                   const PerturbOptions& options, double same) {

@@ -6,17 +6,9 @@
 #include <vector>
 
 #include "harness/stability/perturb_plan.h"
+#include "harness/stability/wilson.h"
 
 namespace lcp {
-
-/// Two-sided interval of a share.
-struct Interval {
-  double low = 0, high = 1;
-};
-
-/// 95 % confidence of a share of which `count` in `trials` were seen; [0, 1] of no trial. Source: E. B.
-/// Wilson, Probable inference, the law of succession, and statistical inference, 1927.
-Interval wilson_interval(Index count, Index trials);
 
 /// What a solver did under one kind of disturbance, or (`baseline`) without any, on one corpus.
 struct FlipRow {

@@ -56,12 +56,12 @@ bool is_given(const Spelling& scene, const Axis& axis) {
 
 }  // namespace
 
-Ladder make_ladder(const std::string& scene, const std::string& reference_solver,
-                   const std::vector<std::string>& solvers, std::optional<double> dt) {
+ModelLadder make_ladder(const std::string& scene, const std::string& reference_solver,
+                        const std::vector<std::string>& solvers, std::optional<double> dt) {
   const NamedScene named = make_scene(scene);
   const Spelling given = parse_spelling(scene);
   const double own = named.setup.stepping.dt;
-  Ladder ladder{named.spelling, {}, {}};
+  ModelLadder ladder{named.spelling, {}, {}};
   const Axis time_step = time_step_axis(own, dt.value_or(own));
   if (dt && is_given(given, time_step))
     throw std::invalid_argument(
@@ -82,7 +82,7 @@ Ladder make_ladder(const std::string& scene, const std::string& reference_solver
   return ladder;
 }
 
-SceneModel model_of(const Ladder& ladder, const std::vector<std::size_t>& rungs) {
+SceneModel model_of(const ModelLadder& ladder, const std::vector<std::size_t>& rungs) {
   SceneModel model;
   const Spelling scene = parse_spelling(ladder.scene);
   std::vector<std::string> settings, labels;

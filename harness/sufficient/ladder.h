@@ -31,7 +31,7 @@ struct SceneModel {
 };
 
 /// The ladders of models of a scene, and the scene with all that its axes do not vary.
-struct Ladder {
+struct ModelLadder {
   std::string scene;       ///< As asked for, full spelling.
   std::vector<Axis> axes;  ///< Rung 0 of each is the reference's.
   std::vector<std::string>
@@ -51,10 +51,10 @@ struct Ladder {
 /// An axis whose knob stands in `scene` is kept as it is there, and so is friction without any. Without `dt` the reference
 /// has the scene's own. Throws std::invalid_argument on an unknown scene, knob or solver, and
 /// on `dt` for a scene that was given its own.
-Ladder make_ladder(const std::string& scene, const std::string& reference_solver,
-                   const std::vector<std::string>& solvers, std::optional<double> dt = {});
+ModelLadder make_ladder(const std::string& scene, const std::string& reference_solver,
+                        const std::vector<std::string>& solvers, std::optional<double> dt = {});
 
 /// The model with `rungs[k]` of axis k. Throws std::invalid_argument where the scene refuses it.
-SceneModel model_of(const Ladder& ladder, const std::vector<std::size_t>& rungs);
+SceneModel model_of(const ModelLadder& ladder, const std::vector<std::size_t>& rungs);
 
 }  // namespace lcp

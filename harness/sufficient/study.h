@@ -35,7 +35,7 @@ std::vector<std::string> exceeded(const PhysicalError& error, const Criteria& cr
 
 /// What is compared, and how.
 struct StudyPlan {
-  Ladder ladder;
+  ModelLadder ladder;
   Criteria criteria;
   double duration = 1;         ///< s, simulated, at most.
   double disturbance = 1e-12;  ///< Of the reference's velocities at the start (m/s, rad/s).

@@ -8,5 +8,6 @@ namespace lcp::cli {
 Verb add_stability_perturb(CLI::App& page);
 
 Verb add_stability_loop(CLI::App& page);
+Verb add_stability_frontier(CLI::App& stability);
 
 }  // namespace lcp::cli

@@ -9,18 +9,18 @@
 namespace lcp {
 namespace {
 
-const Axis* find(const Ladder& ladder, const std::string& name) {
+const Axis* find(const ModelLadder& ladder, const std::string& name) {
   for (const Axis& axis : ladder.axes)
     if (axis.name == name) return &axis;
   return nullptr;
 }
 
-std::vector<std::size_t> richest(const Ladder& ladder) {
+std::vector<std::size_t> richest(const ModelLadder& ladder) {
   return std::vector<std::size_t>(ladder.axes.size(), 0);
 }
 
-TEST(Ladder, TheReferenceIsTheRichestOfEveryAxis) {
-  const Ladder ladder = make_ladder("tap-dance", "best-first", {});
+TEST(ModelLadder, TheReferenceIsTheRichestOfEveryAxis) {
+  const ModelLadder ladder = make_ladder("tap-dance", "best-first", {});
   const SceneModel reference = model_of(ladder, richest(ladder));
   EXPECT_EQ(reference.label, "reference");
   EXPECT_EQ(reference.solver, "best-first");
@@ -31,8 +31,8 @@ TEST(Ladder, TheReferenceIsTheRichestOfEveryAxis) {
   EXPECT_FALSE(stepping.contact.active_only);
 }
 
-TEST(Ladder, FrictionlessLeavesNothingTangential) {
-  const Ladder ladder = make_ladder("hoist", "best-first", {});
+TEST(ModelLadder, FrictionlessLeavesNothingTangential) {
+  const ModelLadder ladder = make_ladder("hoist", "best-first", {});
   std::vector<std::size_t> rungs = richest(ladder);
   ASSERT_EQ(ladder.axes[0].name, "friction");
   rungs[0] = ladder.axes[0].rungs.size() - 1;
@@ -41,8 +41,8 @@ TEST(Ladder, FrictionlessLeavesNothingTangential) {
   EXPECT_EQ(make_scene(model.scene).setup.system.mu, 0);
 }
 
-TEST(Ladder, AxesWhoseKnobIsGivenAreKept) {
-  const Ladder ladder = make_ladder("hoist:links=8,directions=8,matrix=ada", "best-first", {});
+TEST(ModelLadder, AxesWhoseKnobIsGivenAreKept) {
+  const ModelLadder ladder = make_ladder("hoist:links=8,directions=8,matrix=ada", "best-first", {});
   EXPECT_EQ(ladder.kept, (std::vector<std::string>{"friction", "matrix"}));
   EXPECT_EQ(find(ladder, "friction"), nullptr);
   const SceneModel reference = model_of(ladder, richest(ladder));
@@ -50,8 +50,8 @@ TEST(Ladder, AxesWhoseKnobIsGivenAreKept) {
   EXPECT_EQ(make_scene(reference.scene).setup.stepping.contact.friction.directions, 8);
 }
 
-TEST(Ladder, AnotherFrictionCoefficientLeavesTheFrictionAxisAndNoneDoesNot) {
-  const Ladder rough = make_ladder("squat:mu=0.3", "best-first", {});
+TEST(ModelLadder, AnotherFrictionCoefficientLeavesTheFrictionAxisAndNoneDoesNot) {
+  const ModelLadder rough = make_ladder("squat:mu=0.3", "best-first", {});
   ASSERT_NE(find(rough, "friction"), nullptr);
   EXPECT_EQ(make_scene(model_of(rough, richest(rough)).scene).setup.system.mu, 0.3);
   std::vector<std::size_t> rungs = richest(rough);
@@ -60,8 +60,8 @@ TEST(Ladder, AnotherFrictionCoefficientLeavesTheFrictionAxisAndNoneDoesNot) {
   EXPECT_EQ(find(make_ladder("squat:mu=0", "best-first", {}), "friction"), nullptr);
 }
 
-TEST(Ladder, AFinerReferenceHasTheScenesOwnStepAsARung) {
-  const Ladder ladder = make_ladder("squat", "best-first", {}, 0.0005);
+TEST(ModelLadder, AFinerReferenceHasTheScenesOwnStepAsARung) {
+  const ModelLadder ladder = make_ladder("squat", "best-first", {}, 0.0005);
   const Axis* steps = find(ladder, "time step");
   ASSERT_NE(steps, nullptr);
   std::vector<std::string> labels;
@@ -71,8 +71,8 @@ TEST(Ladder, AFinerReferenceHasTheScenesOwnStepAsARung) {
   EXPECT_THROW(make_ladder("squat:dt=0.002", "best-first", {}, 0.0005), std::invalid_argument);
 }
 
-TEST(Ladder, SolversAskedForStandBelowTheLaddersOwnAndOnce) {
-  const Ladder ladder = make_ladder("squat", "best-first", {"lexicographic-revised", "best-first"});
+TEST(ModelLadder, SolversAskedForStandBelowTheLaddersOwnAndOnce) {
+  const ModelLadder ladder = make_ladder("squat", "best-first", {"lexicographic-revised", "best-first"});
   const Axis* solvers = find(ladder, "solver");
   EXPECT_EQ(solvers->rungs.front().label, "best-first");
   EXPECT_EQ(solvers->rungs.back().label, "lexicographic-revised");
@@ -81,7 +81,7 @@ TEST(Ladder, SolversAskedForStandBelowTheLaddersOwnAndOnce) {
             1);
 }
 
-TEST(Ladder, RefusesUnknownNames) {
+TEST(ModelLadder, RefusesUnknownNames) {
   EXPECT_THROW(make_ladder("sqat", "best-first", {}), std::invalid_argument);
   EXPECT_THROW(make_ladder("squat", "worst-first", {}), std::invalid_argument);
   EXPECT_THROW(make_ladder("squat", "best-first", {"lemkey"}), std::invalid_argument);

@@ -1,0 +1,200 @@
+#include "harness/stability/frontier.h"
+
+#include <fmt/format.h>
+
+#include <chrono>
+#include <cstdio>
+#include <memory>
+#include <optional>
+
+#include "harness/cli/interrupt.h"
+#include "harness/cli/measurement.h"
+#include "harness/cli/quantity.h"
+#include "harness/cli/stability/parts.h"
+#include "harness/progress.h"
+#include "harness/stability/frontier_chart.h"
+#include "harness/stability/frontier_render.h"
+#include "problems/io/replace_file.h"
+#include "solvers/options.h"
+
+namespace lcp::cli {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+struct FrontierArguments {
+  std::string family, x, y;
+  std::vector<std::string> solvers = {"own"};
+  Measurement measurement;  ///< Its limits, dry_run, resume and out.
+  FrontierPlan plan;
+  std::optional<std::uint64_t> check_seed;
+  std::string format = "text";
+};
+
+FrontierPlan frontier_plan(const FrontierArguments& arguments) {
+  FrontierPlan plan = arguments.plan;
+  plan.grid = {arguments.family, parse_axis(arguments.x, "--x"), parse_axis(arguments.y, "--y")};
+  check_knobs(plan.grid);
+  plan.limits.solvers = make_solvers(arguments.solvers);
+  set_limits(plan.limits, arguments.measurement);
+  if (plan.max_count < plan.count)
+    throw std::invalid_argument(
+        fmt::format("--max-count {}: expected at least --count, {}", plan.max_count, plan.count));
+  if (arguments.check_seed == plan.seed)
+    throw std::invalid_argument(
+        fmt::format("--check-seed {} is --seed: name another", *arguments.check_seed));
+  return plan;
+}
+
+/// The grid's corners and its middle.
+std::vector<Instance> sample_of(const FrontierPlan& plan) {
+  const std::size_t last_x = plan.grid.x.size() - 1, last_y = plan.grid.y.size() - 1;
+  std::vector<Instance> sample;
+  for (const std::size_t x : {std::size_t{0}, last_x})
+    for (const std::size_t y : {std::size_t{0}, last_y})
+      sample.push_back(draw_of_cell(plan.grid, x, y, plan.seed, 0));
+  sample.push_back(draw_of_cell(plan.grid, last_x / 2, last_y / 2, plan.seed, 0));
+  return sample;
+}
+
+/// Seconds that a pair takes, drawing included, going by the sample.
+double seconds_per_pair(const FrontierPlan& plan) {
+  const auto begin = std::chrono::steady_clock::now();
+  RunPlan sample = plan.limits;
+  sample.max_samples = 1;
+  sample.instances = sample_of(plan);
+  run(
+      sample, [](const Record&) {}, [](const Progress&) {}, catch_interruptions());
+  const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - begin;
+  return elapsed.count() / static_cast<double>(sample.instances.size() * sample.solvers.size());
+}
+
+/// Cells on stdout, pairs and time on stderr.
+int dry_run(const FrontierPlan& plan, bool twice) {
+  const std::size_t columns = plan.grid.x.size(), rows = plan.grid.y.size();
+  for (std::size_t x = 0; x < columns; ++x)
+    for (std::size_t y = 0; y < rows; ++y) fmt::print("{}\n", cell_spelling(plan.grid, x, y));
+  const std::size_t solvers = plan.limits.solvers.size();
+  const std::size_t least =
+      columns * rows * solvers * static_cast<std::size_t>(plan.count) * (twice ? 2 : 1);
+  const std::size_t most =
+      least / static_cast<std::size_t>(plan.count) * static_cast<std::size_t>(plan.max_count);
+  fmt::print(
+      stderr, "{} cells, {} solvers, {} draws each{}: {} pairs, at most {} with --max-count {}\n",
+      columns * rows, solvers, plan.count, twice ? ", two seeds" : "", least, most, plan.max_count);
+  const double seconds = seconds_per_pair(plan);
+  fmt::print(
+      stderr,
+      "expected: {} for these, {} for the most, going by a draw of each corner and the middle\n",
+      printed_duration(seconds * static_cast<double>(least)),
+      printed_duration(seconds * static_cast<double>(most)));
+  return done;
+}
+
+std::string render(const FrontierReport& report, const std::string& format) {
+  if (format == "csv") return frontier_csv(report);
+  if (format == "json") return frontier_json(report).dump(1) + "\n";
+  return frontier_text(report);
+}
+
+/// Draws into `directory`; empty when interrupted.
+std::optional<Frontier> draw(const fs::path& directory, const FrontierPlan& plan, bool resume) {
+  ProgressBar bar;
+  return run_frontier(
+      directory, plan, resume ? Existing::resume : Existing::refuse,
+      [](const std::string& line) { fmt::print(stderr, "{}\n", line); },
+      [&](const Progress& progress) { bar.update(progress); }, catch_interruptions());
+}
+
+int frontier(const FrontierArguments& arguments) {
+  const FrontierPlan plan = frontier_plan(arguments);
+  if (arguments.measurement.dry_run) return dry_run(plan, arguments.check_seed.has_value());
+  const fs::path out =
+      !arguments.measurement.out.empty()
+          ? arguments.measurement.out
+          : fmt::format("runs/frontier-{}-{}-{}", parse_spelling(plan.grid.family).name,
+                        plan.grid.x.knob, plan.grid.y.knob);
+
+  FrontierReport report;
+  bool whole = false;
+  if (std::optional<Frontier> first = draw(out, plan, arguments.measurement.resume)) {
+    report.first = std::move(*first);
+    whole = true;
+  }
+  if (whole && arguments.check_seed) {
+    FrontierPlan again = plan;
+    again.seed = *arguments.check_seed;
+    report.second =
+        draw(out / fmt::format("seed-{}", again.seed), again, arguments.measurement.resume);
+    whole = report.second.has_value();
+  }
+  if (!whole) {
+    fmt::print(stderr,
+               "interrupted: the rows so far are in {}; the same command with --resume goes on\n",
+               out.string());
+    return interrupted_by_user;
+  }
+  replace_file((out / "frontier.txt").string(), render(report, "text"));
+  replace_file((out / "frontier.csv").string(), render(report, "csv"));
+  replace_file((out / "frontier.json").string(), render(report, "json"));
+  fmt::print("{}", render(report, arguments.format));
+  std::fflush(stdout);  // it stands, whatever becomes of the picture
+  draw_frontier(report.first, out / "frontier.svg");
+  fmt::print(stderr, "rows, tables, picture and environment are in {}\n", out.string());
+  return done;
+}
+
+}  // namespace
+
+Verb add_stability_frontier(CLI::App& stability) {
+  CLI::App* page = stability.add_subcommand(
+      "frontier", "Where in the plane of two knobs of a family each solver stops solving");
+  auto arguments = std::make_shared<FrontierArguments>();
+  page->add_option("FAMILY", arguments->family,
+                   "NAME[:key=value,...] (see: lcpbench list families)")
+      ->required();
+  page->add_option(
+          "--x", arguments->x,
+          "KNOB=V,V,... or KNOB=FROM..TO/N, a column of cells each; ,log for a geometric axis")
+      ->required();
+  page->add_option("--y", arguments->y, "The same: the knob along which a line is sought")
+      ->required();
+  page->add_option("--solver", arguments->solvers,
+                   "NAME[:key=value,...], pattern, own or all; repeatable. Default: own")
+      ->allow_extra_args(false);
+  page->add_option("--count", arguments->plan.count,
+                   "Draws of a cell, and how many are added at a time")
+      ->check(CLI::Range(Index{1}, most_draws))
+      ->capture_default_str();
+  page->add_option("--max-count", arguments->plan.max_count,
+                   "Draws of a cell at most, where a line is not known well enough")
+      ->check(CLI::Range(Index{1}, most_draws))
+      ->capture_default_str();
+  page->add_option(
+          "--band", arguments->plan.band,
+          "Widest band asked for on a geometric y, in decades; a step of the grid will do too")
+      ->check(CLI::PositiveNumber)
+      ->capture_default_str();
+  page->add_option("--seed", arguments->plan.seed, "Same seed, same draws")->capture_default_str();
+  page->add_option("--check-seed", arguments->check_seed,
+                   "Repeat it with this seed, and say how many columns agree");
+  add_limits(*page, arguments->measurement);
+  page->add_option("--format", arguments->format, "text, csv (a line per cell) or json")
+      ->check(CLI::IsMember({"text", "csv", "json"}))
+      ->capture_default_str();
+  page->add_flag("--dry-run", arguments->measurement.dry_run,
+                 "Print the cells, the pairs (draw, solver) and the time expected");
+  page->add_flag("--resume", arguments->measurement.resume, "Go on with the rows that DIR holds");
+  page->add_option("--out", arguments->measurement.out,
+                   "Directory for rows, tables and picture; default: runs/frontier-FAMILY-X-Y");
+  page->footer(
+      "Writes DIR/{run.json, env.json, rows.jsonl, frontier.txt, frontier.csv, frontier.json, "
+      "frontier.svg}.\n"
+      "Example:\n"
+      "  lcpbench stability frontier stack --x mu=0.1,0.5,1 --y mass_ratio=1..1000/7,log "
+      "--check-seed 2");
+  return {page, [arguments] { return frontier(*arguments); }};
+}
+
+}  // namespace lcp::cli
