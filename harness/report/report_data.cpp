@@ -226,9 +226,6 @@ std::vector<double> report_tolerances() {
 
 ReportedRun read_reported_run(const fs::path& directory) {
   const fs::path rows = directory / "rows.jsonl";
-  if (!fs::exists(rows) && fs::exists(directory / "rows.jsonl.xz"))
-    throw UnreadableInput(
-        fmt::format("{0}: cannot be read; unpack it first: xz -dk {0}.xz", rows.string()));
   ReportedRun run{.name = fs::absolute(directory / ".").parent_path().filename().string(),
                   .settings = {},
                   .environments = {},

@@ -152,7 +152,7 @@ TEST_F(Report, RefusesWhatItCannotReadOrWrite) {
   expect_complaint(run({"report", "none"}), 3, "none/rows.jsonl: cannot be read");
   std::filesystem::create_directory(file("packed"));
   write_text(file("packed/rows.jsonl.xz"), "");
-  expect_complaint(run({"report", "packed"}), 3, "xz -dk packed/rows.jsonl.xz");
+  expect_complaint(run({"report", "packed"}), 3, "packed/rows.jsonl.xz: ");
   std::filesystem::create_directory(file("empty"));
   write_text(file("empty/rows.jsonl"), "");
   expect_complaint(run({"report", "empty"}), 3, "holds no finished row");
