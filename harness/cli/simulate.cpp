@@ -5,7 +5,7 @@
 #include <optional>
 
 #include "harness/cli/interrupt.h"
-#include "harness/cli/quantity.h"
+#include "harness/cli/loop_options.h"
 #include "harness/cli/verbs.h"
 #include "harness/loop/summary.h"
 #include "harness/pictures/scene_picture.h"
@@ -21,26 +21,13 @@ namespace {
 struct SimulateArguments {
   std::string scene;
   std::string solver = "best-first";
-  std::string duration, dt;
-  std::string criterion = "residual";
-  std::optional<double> tolerance;
+  LoopOptions loop;
   std::string dump, log, picture;
   Index every = 1;
   bool failed_only = false;
   std::vector<std::string> at;
   bool json = false;
 };
-
-double seconds(const std::string& text, const char* option) {
-  return std::chrono::duration<double>(parse_duration(text, option)).count();
-}
-
-Acceptance acceptance_of(const SimulateArguments& arguments) {
-  Acceptance acceptance;
-  if (arguments.criterion == "paper") acceptance = {Acceptance::Criterion::paper, 1e-3};
-  if (arguments.tolerance) acceptance.tolerance = *arguments.tolerance;
-  return acceptance;
-}
 
 /// Times at which to draw, s.
 std::vector<double> picture_times(const std::vector<std::string>& at, double duration) {
@@ -75,8 +62,8 @@ void check_picture(const std::string& picture) {
 
 int simulate(const SimulateArguments& arguments) {
   NamedScene scene = make_scene(arguments.scene);
-  if (!arguments.duration.empty()) scene.setup.duration = seconds(arguments.duration, "--duration");
-  if (!arguments.dt.empty()) scene.setup.stepping.dt = seconds(arguments.dt, "--dt");
+  scene.setup.duration = arguments.loop.duration_s().value_or(scene.setup.duration);
+  scene.setup.stepping.dt = arguments.loop.dt_s().value_or(scene.setup.stepping.dt);
   const NamedSolver solver = make_solver(arguments.solver);
   if (arguments.dump.empty() && (arguments.every != 1 || arguments.failed_only))
     throw std::invalid_argument("--every, --failed-only: expected --dump DIR with them");
@@ -98,7 +85,7 @@ int simulate(const SimulateArguments& arguments) {
   {
     ProgressBar bar;
     run = run_in_the_loop(
-        scene, solver, acceptance_of(arguments),
+        scene, solver, arguments.loop.acceptance(),
         [&](const Simulation& simulation, const Frame& frame, const FrameRecord& record) {
           if (dump && is_dumped(arguments, record)) dump->add(simulation, frame);
           if (snapshots) snapshots->look(frame);
@@ -134,17 +121,7 @@ Verb add_simulate(CLI::App& program) {
       ->required();
   page->add_option("--solver", arguments->solver, "NAME[:key=value,...] that finds the forces")
       ->capture_default_str();
-  page->add_option("--duration", arguments->duration,
-                   "Simulated time, number with ms, s or min. Default: the scene's");
-  page->add_option("--dt", arguments->dt, "Time step, likewise. Default: the scene's");
-  page->add_option("--criterion", arguments->criterion,
-                   "When an answer may act: residual (the judge's natural residual, scaled) or "
-                   "paper (|w - M z - q - z0 c| of the solver's own w, unscaled)")
-      ->check(CLI::IsMember({"residual", "paper"}))
-      ->capture_default_str();
-  page->add_option("--tolerance", arguments->tolerance,
-                   "Of the criterion. Default: 1e-6 for residual, 1e-3 for paper")
-      ->check(CLI::PositiveNumber);
+  add_loop_options(*page, arguments->loop);
   page->add_option("--dump", arguments->dump,
                    "New directory for the LCPs of every frame, a corpus of HDF5 files");
   page->add_option("--every", arguments->every, "Dump one frame in so many only")

@@ -5,6 +5,7 @@
 #include <memory>
 
 #include "harness/cli/interrupt.h"
+#include "harness/cli/loop_options.h"
 #include "harness/cli/output_directory.h"
 #include "harness/cli/quantity.h"
 #include "harness/cli/stability/parts.h"
@@ -22,32 +23,26 @@ struct LoopArguments {
   std::string scene;
   std::vector<std::string> solvers;
   std::string reference = "best-first:refactor_every=1";
-  std::string duration, dt, limit = "2min", silence = "1min";
-  std::string criterion = "residual";
-  std::optional<double> tolerance;
+  LoopOptions loop;
+  std::string limit = "2min", silence = "1min";
   double disturbance = 1e-12, departure = 1;
   std::string format = "text";
   bool json = false, dry_run = false;
   std::string out;
 };
 
-double in_seconds(const std::string& text, const char* option) {
-  return std::chrono::duration<double>(parse_duration(text, option)).count();
-}
-
 LoopPlan plan_of(const LoopArguments& arguments) {
   LoopPlan plan;
   plan.scene = make_scene(arguments.scene).spelling;
-  if (!arguments.dt.empty()) plan.dt = in_seconds(arguments.dt, "--dt");
-  if (!arguments.duration.empty()) plan.duration = in_seconds(arguments.duration, "--duration");
+  plan.dt = arguments.loop.dt_s();
+  plan.duration = arguments.loop.duration_s();
   plan.reference = make_solver(arguments.reference).spelling;
   for (const NamedSolver& solver : make_solvers(arguments.solvers))
     plan.solvers.push_back(solver.spelling);
-  if (arguments.criterion == "paper") plan.acceptance = by_paper;
-  if (arguments.tolerance) plan.acceptance.tolerance = *arguments.tolerance;
+  plan.acceptance = arguments.loop.acceptance();
   plan.disturbance = arguments.disturbance;
   plan.departure = 1e-3 * arguments.departure;
-  plan.limit = in_seconds(arguments.limit, "--limit");
+  plan.limit = std::chrono::duration<double>(parse_duration(arguments.limit, "--limit")).count();
   plan.silence = parse_duration(arguments.silence, "--silence");
   return plan;
 }
@@ -106,17 +101,7 @@ Verb add_stability_loop(CLI::App& stability) {
   page->add_option("--reference", arguments->reference,
                    "NAME[:key=value,...] whose motion the others are compared with")
       ->capture_default_str();
-  page->add_option("--duration", arguments->duration,
-                   "Simulated time, number with ms, s or min. Default: the scene's");
-  page->add_option("--dt", arguments->dt, "Time step, likewise. Default: the scene's");
-  page->add_option("--criterion", arguments->criterion,
-                   "When an answer may act: residual (the judge's natural residual, scaled) or "
-                   "paper (|w - M z - q - z0 c| of the solver's own w, unscaled)")
-      ->check(CLI::IsMember({"residual", "paper"}))
-      ->capture_default_str();
-  page->add_option("--tolerance", arguments->tolerance,
-                   "Of the criterion. Default: 1e-6 for residual, 1e-3 for paper")
-      ->check(CLI::PositiveNumber);
+  add_loop_options(*page, arguments->loop);
   page->add_option("--disturbance", arguments->disturbance,
                    "Of the velocities at the start, for the reference disturbed, m/s and rad/s")
       ->check(CLI::PositiveNumber)

@@ -1,0 +1,25 @@
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <optional>
+#include <string>
+
+#include "harness/acceptance.h"
+
+namespace lcp::cli {
+
+/// What verbs that put a solver into the loop of a scene have in common.
+struct LoopOptions {
+  std::string duration, dt;  ///< Empty: the scene's.
+  std::string criterion = "residual";
+  std::optional<double> tolerance;  ///< Of the criterion; its own default where empty.
+
+  /// s. Throw std::invalid_argument on what is no duration.
+  std::optional<double> duration_s() const;
+  std::optional<double> dt_s() const;
+  Acceptance acceptance() const;
+};
+
+void add_loop_options(CLI::App& page, LoopOptions& options);
+
+}  // namespace lcp::cli
