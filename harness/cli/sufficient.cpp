@@ -7,6 +7,7 @@
 #include "harness/cli/interrupt.h"
 #include "harness/cli/output_directory.h"
 #include "harness/cli/quantity.h"
+#include "harness/cli/table_formats.h"
 #include "harness/cli/verbs.h"
 #include "harness/measure/environment.h"
 #include "harness/progress.h"
@@ -111,9 +112,6 @@ int sufficient(const SufficientArguments& arguments) {
     }
     studies.push_back(std::move(*made));
   }
-  TableFormat format = TableFormat::text;
-  if (arguments.json || arguments.format == "json") format = TableFormat::json;
-  if (!arguments.json && arguments.format == "csv") format = TableFormat::csv;
   if (!arguments.out.empty())
     write_directory(arguments.out, [&](const std::filesystem::path& into) {
       replace_file((into / "sufficient.txt").string(), render(studies, TableFormat::text));
@@ -122,7 +120,7 @@ int sufficient(const SufficientArguments& arguments) {
       replace_file((into / "env.json").string(), describe_environment(1).dump(1) + "\n");
       draw_studies(studies, into / "sufficient.svg");
     });
-  fmt::print("{}", render(studies, format));
+  fmt::print("{}", render(studies, chosen_format(arguments.format, arguments.json)));
   if (!arguments.out.empty()) fmt::print(stderr, "tables and picture are in {}\n", arguments.out);
   return done;
 }

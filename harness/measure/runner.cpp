@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <memory>
 #include <stdexcept>
 
@@ -164,8 +165,9 @@ class Pair {
     record_.accuracy = judgement.accuracy;
     record_.work = outcome.result.work;
     if (plan_.keep_answers && judgement.verdict == Verdict::solved) record_.z = outcome.result.z;
-    if (judgement.verdict != Verdict::solved || plan_.max_samples == 1 ||
-        outcome.time_ns > longest_warm_up_ns) {
+    const bool answers =
+        outcome.result.claim == Claim::solved && std::isfinite(judgement.accuracy.residual);
+    if (!answers || plan_.max_samples == 1 || outcome.time_ns > longest_warm_up_ns) {
       record_.times_ns = {outcome.time_ns};
       finish();
     }

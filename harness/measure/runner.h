@@ -59,12 +59,15 @@ struct Progress {
 ///
 /// Solvers, and each one's starts, are interleaved: one repetition of each before the next repetition
 /// of any, so that drift of the machine hits all alike. The first run of a pair decides its verdict.
-/// Where that is `solved`, it was the warm-up, and timed repetitions follow until the spread is small
-/// (3 at least) or there are max_samples, each of less than 2 ms right after another that is not
+/// Where it claims a solution, it was the warm-up, and timed repetitions follow until the spread is
+/// small (3 at least) or there are max_samples, each of less than 2 ms right after another that is not
 /// timed, which brings the problem back into the caches; a first run longer than 1 s, or with
-/// max_samples = 1, is itself the only sample. A pair that fails has one sample, the time of the run
-/// that failed, and is not run again. Same input, same bits is part of what a solver promises: one whose later answer differs
-/// from its first in any field is `wrong`, and the message says why.
+/// max_samples = 1, is itself the only sample. That holds for a claim that is `wrong` too: tables and
+/// sheets judge it again, by a looser tolerance or the paper's criterion, and compare its time with
+/// others'. A pair that claims none, or whose z is no vector of finite numbers, has one sample, the
+/// time of the run that failed, first uses of memory included, and is not run again. Same input, same
+/// bits is part of what a solver promises: one whose later answer differs from its first in any field
+/// is `wrong`, and the message says why.
 ///
 /// When `interrupted` becomes true the workers are killed and the function returns, after it has
 /// handed over the pairs that were finished; the others are given up. Exceptions of `finished` and

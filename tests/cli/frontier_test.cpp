@@ -6,19 +6,14 @@
 #include <filesystem>
 #include <nlohmann/json.hpp>
 
-#include "tests/cli/program.h"
-#include "tests/harness/temporary_directory.h"
+#include "tests/cli/program_test.h"
 
 namespace lcp {
 namespace {
 
-class FrontierVerb : public testing::Test {
+class FrontierVerb : public ProgramTest {
  protected:
-  Ran run(const std::vector<std::string>& more, const std::string& interrupt_when = "") {
-    std::vector<std::string> words{"stability", "frontier"};
-    words.insert(words.end(), more.begin(), more.end());
-    return run_program(LCPBENCH, words, directory_.path(), interrupt_when);
-  }
+  FrontierVerb() : ProgramTest({"stability", "frontier"}) {}
   /// Two by two cells on which a limit of pivots is a line: active pairs and one for z0.
   Ran small(std::vector<std::string> more, const std::string& interrupt_when = "") {
     const std::vector<std::string> words{
@@ -27,21 +22,6 @@ class FrontierVerb : public testing::Test {
     more.insert(more.begin(), words.begin(), words.end());
     return run(more, interrupt_when);
   }
-  void expect_complaint(const std::vector<std::string>& more, const std::string& words) {
-    const Ran ran = run(more);
-    EXPECT_EQ(ran.status, 2) << ran.err;
-    EXPECT_EQ(std::count(ran.err.begin(), ran.err.end(), '\n'), 1) << ran.err;
-    EXPECT_NE(ran.err.find(words), std::string::npos) << ran.err;
-    EXPECT_FALSE(std::filesystem::exists(file("runs")));
-  }
-  std::string file(const std::string& name) const { return directory_.file(name); }
-  std::ptrdiff_t rows(const std::string& name) const {
-    const std::string text = read_text(file(name + "/rows.jsonl"));
-    return std::count(text.begin(), text.end(), '\n');
-  }
-
- private:
-  const TemporaryDirectory directory_;
 };
 
 TEST_F(FrontierVerb, PrintsLinesAndAgreementAndWritesEveryForm) {
@@ -96,22 +76,23 @@ TEST_F(FrontierVerb, ADryRunPrintsCellsPairsAndTimeAndWritesNothing) {
 
 TEST_F(FrontierVerb, ComplainsInOneLineOfWhatItCannotDo) {
   const std::string x = "n=8,10", y = "active=1,4";
-  expect_complaint({"semidefinit", "--x", x, "--y", y},
+  expect_complaint({"semidefinit", "--x", x, "--y", y}, 2,
                    "unknown family 'semidefinit', known are: ");
-  expect_complaint({"semidefinite", "--x", "m=1,2", "--y", y},
+  expect_complaint({"semidefinite", "--x", "m=1,2", "--y", y}, 2,
                    "semidefinite has no knob 'm', it has: n, rank");
-  expect_complaint({"semidefinite", "--x", "n=8", "--y", y}, "--x n=8: one value makes no axis");
-  expect_complaint({"semidefinite", "--x", x, "--y", "active=1,many"}, "'many' is no number");
-  expect_complaint({"semidefinite", "--x", x, "--y", "n=1,4"}, "--x and --y are both 'n'");
-  expect_complaint({"semidefinite", "--x", x, "--y", "active=1,2.5"}, "active=2.5: expected");
-  expect_complaint({"semidefinite", "--x", x, "--y", "active=1,40"}, "active");
-  expect_complaint({"semidefinite", "--x", x}, "--y is required");
-  expect_complaint({"semidefinite", "--x", x, "--y", y, "--solver", "lemk"}, "unknown solver");
-  expect_complaint({"semidefinite", "--x", x, "--y", y, "--max-count", "4"},
+  expect_complaint({"semidefinite", "--x", "n=8", "--y", y}, 2, "--x n=8: one value makes no axis");
+  expect_complaint({"semidefinite", "--x", x, "--y", "active=1,many"}, 2, "'many' is no number");
+  expect_complaint({"semidefinite", "--x", x, "--y", "n=1,4"}, 2, "--x and --y are both 'n'");
+  expect_complaint({"semidefinite", "--x", x, "--y", "active=1,2.5"}, 2, "active=2.5: expected");
+  expect_complaint({"semidefinite", "--x", x, "--y", "active=1,40"}, 2, "active");
+  expect_complaint({"semidefinite", "--x", x}, 2, "--y is required");
+  expect_complaint({"semidefinite", "--x", x, "--y", y, "--solver", "lemk"}, 2, "unknown solver");
+  expect_complaint({"semidefinite", "--x", x, "--y", y, "--max-count", "4"}, 2,
                    "--max-count 4: expected at least --count, 8");
-  expect_complaint({"semidefinite", "--x", x, "--y", y, "--check-seed", "1"},
+  expect_complaint({"semidefinite", "--x", x, "--y", y, "--check-seed", "1"}, 2,
                    "--check-seed 1 is --seed");
-  expect_complaint({"semidefinite", "--x", x, "--y", y, "--format", "latex"}, "--format");
+  expect_complaint({"semidefinite", "--x", x, "--y", y, "--format", "latex"}, 2, "--format");
+  EXPECT_FALSE(exists("runs"));
 }
 
 }  // namespace

@@ -4,22 +4,14 @@
 
 #include <algorithm>
 
-#include "tests/cli/program.h"
-#include "tests/harness/temporary_directory.h"
+#include "tests/cli/program_test.h"
 
 namespace lcp {
 namespace {
 
-class Paper : public testing::Test {
+class Paper : public ProgramTest {
  protected:
-  Ran run(std::vector<std::string> arguments) {
-    arguments.insert(arguments.begin(), "paper");
-    return run_program(LCPBENCH, arguments, directory_.path());
-  }
-  std::string file(const std::string& name) const { return directory_.file(name); }
-
- private:
-  TemporaryDirectory directory_;
+  Paper() : ProgramTest({"paper"}) {}
 };
 
 TEST_F(Paper, WithoutATableOrFigureSaysWhatIsAllowed) {

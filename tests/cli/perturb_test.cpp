@@ -6,19 +6,15 @@
 #include <filesystem>
 #include <nlohmann/json.hpp>
 
-#include "tests/cli/program.h"
-#include "tests/harness/temporary_directory.h"
+#include "tests/cli/program_test.h"
 
 namespace lcp {
 namespace {
 
 using Json = nlohmann::json;
 
-class Perturb : public testing::Test {
+class Perturb : public ProgramTest {
  protected:
-  Ran run(const std::vector<std::string>& arguments, const std::string& interrupt_when = "") {
-    return run_program(LCPBENCH, arguments, directory_.path(), interrupt_when);
-  }
   Ran perturb(const std::vector<std::string>& more) {
     std::vector<std::string> words = {"stability", "perturb", "--corpus", "p.hdf5",
                                       "--solver",  "lemke",   "--solver", "best-first",
@@ -30,15 +26,6 @@ class Perturb : public testing::Test {
     ASSERT_EQ(run({"generate", "squat-like:contacts=4", "--count", "2", "--out", "p.hdf5"}).status,
               0);
   }
-  void expect_complaint(const Ran& ran, int status, const std::string& words) {
-    EXPECT_EQ(ran.status, status) << ran.err;
-    EXPECT_EQ(std::count(ran.err.begin(), ran.err.end(), '\n'), 1) << ran.err;
-    EXPECT_NE(ran.err.find(words), std::string::npos) << ran.err;
-  }
-  std::string file(const std::string& name) const { return directory_.file(name); }
-
- private:
-  const TemporaryDirectory directory_;
 };
 
 TEST_F(Perturb, WritesRowsFlipsAndAPictureAndPrintsTheTable) {

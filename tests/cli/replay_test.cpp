@@ -3,33 +3,18 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
-#include "tests/cli/program.h"
-#include "tests/harness/temporary_directory.h"
+#include "tests/cli/program_test.h"
 
 namespace lcp {
 namespace {
 
-class ReplayCli : public testing::Test {
+class ReplayCli : public ProgramTest {
  protected:
   void SetUp() override {
     // tests/harness/replay/rounded_zero.h
-    write_text(directory_.file("zero.json"),
-               R"({"name": "zero", "M": [[0.5, 1, 0], [-48.5, 0, 0], [-48.5, 0, 0]],)"
-               R"( "q": [-1, 48, 48]})");
+    write_text(file("zero.json"), R"({"name": "zero", "M": [[0.5, 1, 0], [-48.5, 0, 0], [-48.5, 0, 0]],)"
+                                  R"( "q": [-1, 48, 48]})");
   }
-  Ran run(const std::vector<std::string>& arguments) {
-    return run_program(LCPBENCH, arguments, directory_.path());
-  }
-  void expect_complaint(const std::vector<std::string>& arguments, int status,
-                        const std::string& words) {
-    const Ran ran = run(arguments);
-    EXPECT_EQ(ran.status, status) << ran.err;
-    EXPECT_EQ(std::count(ran.err.begin(), ran.err.end(), '\n'), 1) << ran.err;
-    EXPECT_NE(ran.err.find(words), std::string::npos) << ran.err;
-    EXPECT_EQ(ran.out, "");
-  }
-
-  TemporaryDirectory directory_;
 };
 
 TEST_F(ReplayCli, PrintsTheFirstWrongPivot) {

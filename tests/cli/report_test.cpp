@@ -7,25 +7,21 @@
 #include <map>
 #include <nlohmann/json.hpp>
 
-#include "tests/cli/program.h"
-#include "tests/harness/temporary_directory.h"
+#include "tests/cli/program_test.h"
 
 namespace lcp {
 namespace {
 
 using Json = nlohmann::json;
 
-class Report : public testing::Test {
+class Report : public ProgramTest {
  protected:
   void SetUp() override {
-    std::filesystem::create_directories(directory_.file("build/release"));
-    std::filesystem::create_symlink(LCPBENCH, directory_.file("build/release/lcpbench"));
-  }
-  Ran run(const std::vector<std::string>& arguments) {
-    return run_program(LCPBENCH, arguments, directory_.path());
+    std::filesystem::create_directories(file("build/release"));
+    std::filesystem::create_symlink(LCPBENCH, file("build/release/lcpbench"));
   }
   Ran shell(const std::string& command) {
-    return run_program("/bin/sh", {"-c", command}, directory_.path());
+    return run_program("/bin/sh", {"-c", command}, directory());
   }
   Json data(const std::string& page) {
     const std::string text = read_text(file(page));
@@ -33,15 +29,6 @@ class Report : public testing::Test {
     const std::size_t begin = text.find(mark) + mark.size();
     return Json::parse(text.substr(begin, text.find("</script>", begin) - begin));
   }
-  void expect_complaint(const Ran& ran, int status, const std::string& words) {
-    EXPECT_EQ(ran.status, status) << ran.err;
-    EXPECT_EQ(std::count(ran.err.begin(), ran.err.end(), '\n'), 1) << ran.err;
-    EXPECT_NE(ran.err.find(words), std::string::npos) << ran.err;
-  }
-  std::string file(const std::string& name) const { return directory_.file(name); }
-
- private:
-  const TemporaryDirectory directory_;
 };
 
 /// What a row's column holds: of a list, or of one that is stored once.

@@ -8,19 +8,15 @@
 #include <nlohmann/json.hpp>
 #include <sstream>
 
-#include "tests/cli/program.h"
-#include "tests/harness/temporary_directory.h"
+#include "tests/cli/program_test.h"
 
 namespace lcp {
 namespace {
 
 using Json = nlohmann::json;
 
-class Runs : public testing::Test {
+class Runs : public ProgramTest {
  protected:
-  Ran run(const std::vector<std::string>& arguments, const std::string& interrupt_when = "") {
-    return run_program(LCPBENCH, arguments, directory_.path(), interrupt_when);
-  }
   /// Two published instances and two solvers into `out`.
   Ran measure(const std::string& out, const std::vector<std::string>& more = {}) {
     std::vector<std::string> words = {"run",      "--corpus",   "p.hdf5", "--solver", "lemke",
@@ -30,16 +26,6 @@ class Runs : public testing::Test {
   }
   void SetUp() override {
     ASSERT_EQ(run({"generate", "published", "--count", "2", "--out", "p.hdf5"}).status, 0);
-  }
-  void expect_complaint(const Ran& ran, int status, const std::string& words) {
-    EXPECT_EQ(ran.status, status) << ran.err;
-    EXPECT_EQ(std::count(ran.err.begin(), ran.err.end(), '\n'), 1) << ran.err;
-    EXPECT_NE(ran.err.find(words), std::string::npos) << ran.err;
-  }
-  std::string file(const std::string& name) const { return directory_.file(name); }
-  std::ptrdiff_t rows(const std::string& name) const {
-    const std::string text = read_text(file(name + "/rows.jsonl"));
-    return std::count(text.begin(), text.end(), '\n');
   }
   /// Changes every row of a run.
   void doctor(const std::string& name, const std::function<void(Json&)>& change) {
@@ -52,9 +38,6 @@ class Runs : public testing::Test {
     }
     write_text(file(name + "/rows.jsonl"), changed);
   }
-
- private:
-  const TemporaryDirectory directory_;
 };
 
 TEST_F(Runs, ResumeGoesOnWithWhatIsThereAndBeginsWhereNothingIs) {

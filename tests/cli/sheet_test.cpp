@@ -7,19 +7,15 @@
 #include <filesystem>
 #include <nlohmann/json.hpp>
 
-#include "tests/cli/program.h"
-#include "tests/harness/temporary_directory.h"
+#include "tests/cli/program_test.h"
 
 namespace lcp {
 namespace {
 
 using Json = nlohmann::json;
 
-class SheetVerb : public testing::Test {
+class SheetVerb : public ProgramTest {
  protected:
-  Ran run(const std::vector<std::string>& arguments) {
-    return run_program(LCPBENCH, arguments, directory_.path());
-  }
   /// Three published instances, two solvers, into r.
   void SetUp() override {
     ASSERT_EQ(run({"generate", "published", "--count", "3", "--out", "p.json"}).status, 0);
@@ -27,18 +23,6 @@ class SheetVerb : public testing::Test {
                          "projected-gauss-seidel", "--solver", "best-first", "--out", "r"});
     ASSERT_EQ(ran.status, 0) << ran.err;
   }
-  void expect_complaint(const std::vector<std::string>& arguments, int status,
-                        const std::string& words) {
-    const Ran ran = run(arguments);
-    EXPECT_EQ(ran.status, status) << ran.err;
-    EXPECT_EQ(std::count(ran.err.begin(), ran.err.end(), '\n'), 1) << ran.err;
-    EXPECT_NE(ran.err.find(words), std::string::npos) << ran.err;
-  }
-  std::string file(const std::string& name) const { return directory_.file(name); }
-  bool exists(const std::string& name) const { return std::filesystem::exists(file(name)); }
-
- private:
-  const TemporaryDirectory directory_;
 };
 
 TEST_F(SheetVerb, IsWrittenByARunAndAgainByItself) {

@@ -6,30 +6,14 @@
 #include <filesystem>
 #include <nlohmann/json.hpp>
 
-#include "tests/cli/program.h"
-#include "tests/harness/temporary_directory.h"
+#include "tests/cli/program_test.h"
 
 namespace lcp {
 namespace {
 
-class Simulate : public testing::Test {
+class Simulate : public ProgramTest {
  protected:
-  Ran run(std::vector<std::string> arguments, const std::string& interrupt_when = "") {
-    arguments.insert(arguments.begin(), "simulate");
-    return run_program(LCPBENCH, arguments, directory_.path(), interrupt_when);
-  }
-  void expect_complaint(const std::vector<std::string>& arguments, int status,
-                        const std::string& words) {
-    const Ran ran = run(arguments);
-    EXPECT_EQ(ran.status, status) << ran.err;
-    EXPECT_EQ(std::count(ran.err.begin(), ran.err.end(), '\n'), 1) << ran.err;
-    EXPECT_NE(ran.err.find(words), std::string::npos) << ran.err;
-    EXPECT_EQ(ran.out, "");
-  }
-  std::string file(const std::string& name) const { return directory_.file(name); }
-
- private:
-  TemporaryDirectory directory_;
+  Simulate() : ProgramTest({"simulate"}) {}
 };
 
 TEST_F(Simulate, PrintsASummary) {

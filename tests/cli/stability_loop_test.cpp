@@ -6,30 +6,14 @@
 #include <filesystem>
 #include <nlohmann/json.hpp>
 
-#include "tests/cli/program.h"
-#include "tests/harness/temporary_directory.h"
+#include "tests/cli/program_test.h"
 
 namespace lcp {
 namespace {
 
-class StabilityLoop : public testing::Test {
+class StabilityLoop : public ProgramTest {
  protected:
-  Ran run(std::vector<std::string> arguments, const std::string& program = LCPBENCH) {
-    arguments.insert(arguments.begin(), {"stability", "loop"});
-    return run_program(program, arguments, directory_.path());
-  }
-  void expect_complaint(const std::vector<std::string>& arguments, int status,
-                        const std::string& words) {
-    const Ran ran = run(arguments);
-    EXPECT_EQ(ran.status, status) << ran.err;
-    EXPECT_EQ(std::count(ran.err.begin(), ran.err.end(), '\n'), 1) << ran.err;
-    EXPECT_NE(ran.err.find(words), std::string::npos) << ran.err;
-    EXPECT_EQ(ran.out, "");
-  }
-  std::string file(const std::string& name) const { return directory_.file(name); }
-
- private:
-  TemporaryDirectory directory_;
+  StabilityLoop() : ProgramTest({"stability", "loop"}) {}
 };
 
 TEST_F(StabilityLoop, PrintsALineForEachSolverAndForTheControls) {
@@ -47,8 +31,9 @@ TEST_F(StabilityLoop, PrintsALineForEachSolverAndForTheControls) {
 }
 
 TEST_F(StabilityLoop, ASolverThatCrashesIsALineToo) {
-  const Ran ran = run({"squat:points=8", "--duration", "10ms", "--solver", "crasher", "--json"},
-                      LCPBENCH_WITH_CONTROLS);
+  const Ran ran =
+      run_other(LCPBENCH_WITH_CONTROLS,
+                {"squat:points=8", "--duration", "10ms", "--solver", "crasher", "--json"});
   EXPECT_EQ(ran.status, 0) << ran.err;
   const nlohmann::json rows = nlohmann::json::parse(ran.out).at("rows");
   EXPECT_NE(rows.back().at("broken").get<std::string>().find("crashed with signal"),

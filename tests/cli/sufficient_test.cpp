@@ -6,8 +6,7 @@
 #include <filesystem>
 #include <nlohmann/json.hpp>
 
-#include "tests/cli/program.h"
-#include "tests/harness/temporary_directory.h"
+#include "tests/cli/program_test.h"
 
 namespace lcp {
 namespace {
@@ -15,24 +14,9 @@ namespace {
 /// Every axis but friction and time step kept, so that there is little to simulate.
 const std::string kSmall = "squat:points=8,reduction=none,active_only=off,matrix=clean";
 
-class Sufficient : public testing::Test {
+class Sufficient : public ProgramTest {
  protected:
-  Ran run(std::vector<std::string> arguments) {
-    arguments.insert(arguments.begin(), "sufficient");
-    return run_program(LCPBENCH, arguments, directory_.path());
-  }
-  void expect_complaint(const std::vector<std::string>& arguments, int status,
-                        const std::string& words) {
-    const Ran ran = run(arguments);
-    EXPECT_EQ(ran.status, status) << ran.err;
-    EXPECT_EQ(std::count(ran.err.begin(), ran.err.end(), '\n'), 1) << ran.err;
-    EXPECT_NE(ran.err.find(words), std::string::npos) << ran.err;
-    EXPECT_EQ(ran.out, "");
-  }
-  std::string file(const std::string& name) const { return directory_.file(name); }
-
- private:
-  TemporaryDirectory directory_;
+  Sufficient() : ProgramTest({"sufficient"}) {}
 };
 
 TEST_F(Sufficient, PrintsTheTableTheFloorAndWhatIsEnough) {

@@ -9,6 +9,7 @@
 #include "harness/cli/output_directory.h"
 #include "harness/cli/quantity.h"
 #include "harness/cli/stability/parts.h"
+#include "harness/cli/table_formats.h"
 #include "harness/measure/environment.h"
 #include "harness/progress.h"
 #include "problems/io/replace_file.h"
@@ -77,10 +78,7 @@ int drive(const LoopArguments& arguments) {
       replace_file((into / "env.json").string(), describe_environment(1).dump(1) + "\n");
       draw_loop_study(*study, into / "loop.svg");
     });
-  TableFormat format = TableFormat::text;
-  if (arguments.format == "csv") format = TableFormat::csv;
-  if (arguments.json || arguments.format == "json") format = TableFormat::json;
-  fmt::print("{}", render(*study, format));
+  fmt::print("{}", render(*study, chosen_format(arguments.format, arguments.json)));
   if (!arguments.out.empty())
     fmt::print(stderr, "table, curves and picture are in {}\n", arguments.out);
   return done;

@@ -122,7 +122,7 @@ TEST(NullControl, FlipperIsWrongAlthoughBothAnswersPass) {
   EXPECT_EQ(record.times_ns.size(), 1u);
 }
 
-TEST(Run, GoesOnAfterEveryFailureAndRunsItOnce) {
+TEST(Run, GoesOnAfterEveryFailureAndRunsWhatGivesNoAnswerOnce) {
   const LeavesNothingBehind guard;
   RunPlan plan =
       plan_of({"liar", "lemke", "sleeper", "crasher", "nan-maker", "flipper", "thrower"}, 2);
@@ -136,7 +136,8 @@ TEST(Run, GoesOnAfterEveryFailureAndRunsItOnce) {
     EXPECT_EQ(records[i].instance, plan.instances[i / 7].name);
     EXPECT_EQ(records[i].solver, plan.solvers[i % 7].spelling);
     EXPECT_EQ(records[i].verdict, expected[i % 7]) << records[i].solver;
-    EXPECT_EQ(records[i].times_ns.size(), expected[i % 7] == Verdict::solved ? 3u : 1u);
+    const bool answers = i % 7 < 2;  // The liar's answer may be judged again by another criterion.
+    EXPECT_EQ(records[i].times_ns.size(), answers ? 3u : 1u) << records[i].solver;
   }
 }
 

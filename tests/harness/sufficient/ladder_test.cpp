@@ -20,7 +20,7 @@ std::vector<std::size_t> richest(const ModelLadder& ladder) {
 }
 
 TEST(ModelLadder, TheReferenceIsTheRichestOfEveryAxis) {
-  const ModelLadder ladder = make_ladder("tap-dance", "best-first", {});
+  const ModelLadder ladder = make_ladder("ring", "best-first", {});
   const SceneModel reference = model_of(ladder, richest(ladder));
   EXPECT_EQ(reference.label, "reference");
   EXPECT_EQ(reference.solver, "best-first");

@@ -6,36 +6,10 @@
 
 #include "harness/sufficient/report.h"
 #include "problems/scenes/scene.h"
+#include "tests/harness/sufficient/one_axis.h"
 
 namespace lcp {
 namespace {
-
-/// The ladder of a scene with one axis, or none, of which only the rungs named stand below the
-/// reference's.
-StudyPlan plan_of(const std::string& scene, double duration, const std::string& axis = "",
-                  const std::vector<std::string>& rungs = {},
-                  const std::string& reference = "best-first",
-                  const std::vector<std::string>& solvers = {}) {
-  StudyPlan plan;
-  plan.ladder = make_ladder(scene, reference, solvers);
-  for (Axis& each : plan.ladder.axes) {
-    std::vector<Rung> kept = {each.rungs.front()};
-    for (const Rung& rung : each.rungs)
-      if (each.name == axis && std::find(rungs.begin(), rungs.end(), rung.label) != rungs.end())
-        kept.push_back(rung);
-    each.rungs = std::move(kept);
-  }
-  plan.duration = duration;
-  plan.rounds = 1;
-  plan.patience = 100;  // nothing here depends on seconds
-  return plan;
-}
-
-Study made(const StudyPlan& plan) {
-  const std::atomic<bool> never = false;
-  return *study(
-      plan, [](const Progress&) {}, never);
-}
 
 TEST(Criteria, TheWorstOverItsToleranceDecides) {
   const Criteria criteria;
@@ -55,12 +29,6 @@ TEST(Sufficient, FrictionlessIsRejectedOnHoist) {
   EXPECT_FALSE(row.passes);
   EXPECT_LT(18 * row.n, 1.5 * study.reference.n) << "no tangential rows";
   EXPECT_FALSE(study.cheapest.has_value());
-}
-
-TEST(Sufficient, FrictionlessIsRejectedOnTapDance) {
-  const Study study = made(plan_of("tap-dance:dt=0.002", 0.36, "friction", {"frictionless"}));
-  EXPECT_FALSE(study.rows.front().passes);
-  EXPECT_EQ(study.horizon, 0.36) << "the reference itself is told apart from nothing";
 }
 
 TEST(Sufficient, FourContactsAFootAreEnoughForSquat) {
