@@ -98,10 +98,13 @@ int simulate(const SimulateArguments& arguments) {
 
   const LoopSummary summary =
       summarise(run, scene.setup.system.model.mass(), scene.setup.system.gravity);
-  if (arguments.json)
-    fmt::print("{}\n", nlohmann::json(summary).dump(1));
-  else
+  if (arguments.json) {
+    nlohmann::json printed = summary;
+    printed.erase("trail");  // Every link at many times, which nobody reads here.
+    fmt::print("{}\n", printed.dump(1));
+  } else {
     fmt::print("{}", render(summary));
+  }
   if (snapshots && !snapshots->taken().empty()) {
     draw_picture(scene, snapshots->taken(), arguments.picture);
     fmt::print(stderr, "{} moments are drawn in {}\n", snapshots->taken().size(),

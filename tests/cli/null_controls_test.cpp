@@ -25,7 +25,7 @@ TEST(NullControls, AreRowsWithTheirVerdictsAndTheRunGoesOn) {
                                "--corpus",
                                "p.json",
                                "--timeout",
-                               "600ms",
+                               "3s",
                                "--memory",
                                "64MiB",
                                "--solver",

@@ -119,7 +119,9 @@ TEST(Shrink, ACrashOfTheSolverIsAVerdictLikeAnother) {
 TEST(Shrink, AHangEndsAtTheTimeLimit) {
   ShrinkOptions options;
   options.limits.time = std::chrono::milliseconds(5);
-  EXPECT_EQ(shrink(buried(), invariant("sleeper"), options, never).after.verdict, Verdict::timeout);
+  Invariant hangs = invariant("sleeper");
+  hangs.solvable = false;  // A reference might take longer than that on a busy machine.
+  EXPECT_EQ(shrink(buried(), hangs, options, never).after.verdict, Verdict::timeout);
 }
 
 TEST(Shrink, StopsWithinItsBudgetWithAnInstanceThatStillFails) {
