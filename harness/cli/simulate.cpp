@@ -99,9 +99,7 @@ int simulate(const SimulateArguments& arguments) {
   const LoopSummary summary =
       summarise(run, scene.setup.system.model.mass(), scene.setup.system.gravity);
   if (arguments.json) {
-    nlohmann::json printed = summary;
-    printed.erase("trail");  // Every link at many times, which nobody reads here.
-    fmt::print("{}\n", printed.dump(1));
+    fmt::print("{}\n", figures_of(summary).dump(1));
   } else {
     fmt::print("{}", render(summary));
   }

@@ -196,6 +196,12 @@ void to_json(nlohmann::json& json, const LoopSummary& summary) {
   for_each_field(summary, [&](const char* name, const auto& value) { json[name] = value; });
 }
 
+nlohmann::json figures_of(const LoopSummary& summary) {
+  nlohmann::json json = summary;
+  json.erase("trail");
+  return json;
+}
+
 void from_json(const nlohmann::json& json, LoopSummary& summary) {
   for_each_field(summary, [&](const char* name, auto& value) {
     try {

@@ -51,6 +51,8 @@ struct LoopSummary {
 LoopSummary summarise(const LoopRun& run, double mass, const Vector3d& gravity);
 
 void to_json(nlohmann::json& json, const LoopSummary& summary);
+/// The same for a reader: without `trail`, every link at many times.
+nlohmann::json figures_of(const LoopSummary& summary);
 /// Throws std::invalid_argument saying which field is missing or malformed.
 void from_json(const nlohmann::json& json, LoopSummary& summary);
 

@@ -28,9 +28,6 @@ using std::chrono::nanoseconds;
 constexpr std::size_t output_kept = 400;                   // Bytes.
 constexpr std::size_t pipe_capacity = 65536;               // Bytes, the system's default.
 constexpr auto look_every = std::chrono::milliseconds(5);  // At resident memory.
-/// A solve that takes less than this is timed right after another, untimed one: other workers had
-/// the caches in between, and reading the problem back from memory would take longer than solving it.
-constexpr auto cold_start_counts = std::chrono::milliseconds(2);
 constexpr int worker_socket = 3;  // In the child, beside stdin, stdout and stderr.
 
 /// What a worker sends ahead of the bytes of a result, or of the text of an exception.
@@ -111,12 +108,12 @@ Reply reply_of(const std::function<Result()>& solve) {
 }
 
 /// One timed solve per byte that arrives, until the parent hangs up.
-[[noreturn]] void serve(const std::function<Result()>& solve) {
+[[noreturn]] void serve(const std::function<Result()>& solve, nanoseconds warm_up_below) {
   char go;
-  nanoseconds last = cold_start_counts;
+  nanoseconds last = warm_up_below;
   while (recv(worker_socket, &go, 1, 0) == 1) {
     std::optional<Reply> untimed;
-    if (last < cold_start_counts) untimed = reply_of(solve);
+    if (last < warm_up_below) untimed = reply_of(solve);
     Reply reply = reply_of(solve);
     last = reply.time;
     // The parent compares each answer with the first: of two here it gets the one that may differ.
@@ -149,7 +146,7 @@ Worker::Worker(const std::function<Result()>& solve, const Limits& limits,
   if (pid_ == 0) {
     isolate(parent, child_socket.get(), child_output.get());
     prepare();
-    serve(solve);
+    serve(solve, limits.warm_up_below);
   }
   setpgid(pid_, pid_);  // Here too: whichever process comes first.
   resident_at_start_ = resident_bytes(pid_);

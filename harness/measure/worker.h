@@ -15,10 +15,14 @@
 
 namespace lcp {
 
-/// How far one solve may go.
+/// How far one solve may go, and how it is timed.
 struct Limits {
   std::chrono::nanoseconds time;
   std::int64_t resident_bytes;  ///< Above what the worker held when it was started.
+  /// A solve is timed right after another, untimed one where the last one took less than this: other
+  /// workers had the caches in between, and reading a short one's problem back from memory would
+  /// take longer than solving it.
+  std::chrono::nanoseconds warm_up_below = std::chrono::milliseconds(2);
 };
 
 /// How one solve in a worker ended.
@@ -45,8 +49,9 @@ class Worker {
  public:
   /// Forks, and has the child call `prepare` once, outside the clock; throws std::system_error when the
   /// system refuses.
-  Worker(const std::function<Result()>& solve, const Limits& limits,
-         const std::function<void()>& prepare = [] {});
+  Worker(
+      const std::function<Result()>& solve, const Limits& limits,
+      const std::function<void()>& prepare = [] {});
   ~Worker();
   Worker(const Worker&) = delete;
   Worker& operator=(const Worker&) = delete;

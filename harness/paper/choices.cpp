@@ -119,7 +119,7 @@ std::string json_of(const std::vector<ChoiceTable>& tables) {
                                     {"criterion", to_string(choices()[i].acceptance.criterion)},
                                     {"tolerance", choices()[i].acceptance.tolerance},
                                     {"fell", table.columns[i].fell()}};
-      row["summary"] = nlohmann::json(table.columns[i].summary);
+      row["summary"] = figures_of(table.columns[i].summary);
       rows.push_back(std::move(row));
     }
   return nlohmann::ordered_json{{"rows", rows}}.dump(1) + "\n";

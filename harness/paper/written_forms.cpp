@@ -12,10 +12,11 @@ namespace lcp {
 namespace {
 
 std::string figure_json(int figure, const std::vector<LoopSummary>& runs) {
-  const nlohmann::json json = {{"figure", figure},
-                               {"picture", fmt::format("fig{}.svg", figure)},
-                               {"data", fmt::format("fig{}.csv", figure)},
-                               {"runs", runs}};
+  nlohmann::json json = {{"figure", figure},
+                         {"picture", fmt::format("fig{}.svg", figure)},
+                         {"data", fmt::format("fig{}.csv", figure)},
+                         {"runs", nlohmann::json::array()}};
+  for (const LoopSummary& run : runs) json["runs"].push_back(figures_of(run));
   return json.dump(1) + "\n";
 }
 

@@ -21,9 +21,9 @@ class Cli : public ProgramTest {
 };
 
 const std::vector<std::string> verbs = {
-    "list",    "generate",    "solve",    "run",       "table",  "sweep",      "merge",
-    "compare", "info",        "convert",  "simulate",  "paper",  "replay",     "shrink",
-    "sheet",   "test-solver", "report",   "stability", "sufficient"};
+    "list",    "generate",    "solve",   "run",       "table",     "sweep",  "merge",
+    "compare", "info",        "convert", "simulate",  "paper",     "replay", "shrink",
+    "sheet",   "test-solver", "report",  "stability", "sufficient"};
 
 TEST_F(Cli, HelpOfEveryVerbHasAnExampleOfIt) {
   for (const std::string& verb : verbs) {
@@ -48,10 +48,10 @@ TEST_F(Cli, AnUnknownOptionIsAnsweredWithTheList) {
 TEST_F(Cli, UnknownNamesAreAnsweredWithTheList) {
   expect_complaint({"run", "--suite", "nosuch"}, 2, "lcpbench run: ", "'nosuch'", "default");
   expect_complaint({"run", "--suite", "small", "--solver", "nosuch"}, 2, "'nosuch'", "lemke");
-  expect_complaint({"run", "--suite", "small", "--solver", "lemke:nosuch=1"}, 2,
-                   "'nosuch'", "pivot");
-  expect_complaint({"run", "--suite", "small", "--solver", "lemke:pivot=-1"}, 2,
-                   "pivot=-1", "a real in");
+  expect_complaint({"run", "--suite", "small", "--solver", "lemke:nosuch=1"}, 2, "'nosuch'",
+                   "pivot");
+  expect_complaint({"run", "--suite", "small", "--solver", "lemke:pivot=-1"}, 2, "pivot=-1",
+                   "a real in");
   expect_complaint({"generate", "nosuch", "--out", "x.hdf5"}, 2, "'nosuch'", "published");
   expect_complaint({"sweep", "--solver", "best-first", "--option", "ties", "--suite", "small"}, 2,
                    "'ties'", "epsilon");

@@ -52,19 +52,19 @@ TEST_F(ShrinkCli, StopsAtItsBudget) {
 TEST_F(ShrinkCli, SaysInOneLineWhatItCannotDo) {
   const std::string frame = "three.hdf5#squat-like/0001";
   expect_refused({"shrink", frame, "--solver", "best-first", "--out", "x.hdf5"}, 2,
-                   "nothing fails");
+                 "nothing fails");
   expect_refused({"shrink", frame, "--solver", "nosuch", "--out", "x.hdf5"}, 2, "'nosuch'");
   expect_refused(
       {"shrink", frame, "--solver", "best-first-tableau", "--by-rounding", "--out", "x.hdf5"}, 2,
       "lexicographic-revised");
   expect_refused({"shrink", "three.hdf5", "--solver", "lemke", "--out", "x.hdf5"}, 2,
-                   "holds 3 instances");
+                 "holds 3 instances");
   expect_refused({"shrink", frame, "--solver", "lemke", "--keep", "most", "--out", "x.hdf5"}, 2,
-                   "--keep");
+                 "--keep");
   expect_refused({"shrink", frame, "--solver", "lemke", "--timeout", "10", "--out", "x.hdf5"}, 2,
-                   "--timeout 10");
+                 "--timeout 10");
   expect_refused({"shrink", "nosuch.hdf5", "--solver", "lemke", "--out", "x.hdf5"}, 3,
-                   "nosuch.hdf5");
+                 "nosuch.hdf5");
   expect_refused({"shrink", frame, "--solver", "lemke", "--out", "nosuch/x.hdf5"}, 4, "nosuch");
   expect_refused({"shrink", frame, "--solver", "lemke", "--out", "x.txt"}, 2, ".hdf5");
 }

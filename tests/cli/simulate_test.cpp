@@ -46,7 +46,8 @@ TEST_F(Simulate, DumpsACorpusThatOtherVerbsRead) {
 }
 
 TEST_F(Simulate, BadWordsAreOneLineAndStatus2) {
-  expect_complaint({"sqat"}, 2, "unknown scene 'sqat', known are: hoist, net, ring, squat, tap-dance");
+  expect_complaint({"sqat"}, 2,
+                   "unknown scene 'sqat', known are: hoist, net, ring, squat, tap-dance");
   expect_complaint({"squat:pints=3"}, 2, "pints");
   expect_complaint({"squat", "--duration", "3 apples"}, 2, "--duration");
   expect_complaint({"squat", "--solver", "lemkey"}, 2, "unknown solver 'lemkey'");

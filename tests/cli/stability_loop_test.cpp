@@ -31,9 +31,8 @@ TEST_F(StabilityLoop, PrintsALineForEachSolverAndForTheControls) {
 }
 
 TEST_F(StabilityLoop, ASolverThatCrashesIsALineToo) {
-  const Ran ran =
-      run_other(LCPBENCH_WITH_CONTROLS,
-                {"squat:points=8", "--duration", "10ms", "--solver", "crasher", "--json"});
+  const Ran ran = run_other(LCPBENCH_WITH_CONTROLS, {"squat:points=8", "--duration", "10ms",
+                                                     "--solver", "crasher", "--json"});
   EXPECT_EQ(ran.status, 0) << ran.err;
   const nlohmann::json rows = nlohmann::json::parse(ran.out).at("rows");
   EXPECT_NE(rows.back().at("broken").get<std::string>().find("crashed with signal"),

@@ -29,7 +29,7 @@ set arrow 1 from 208,76 to 244,76 nohead lw 2.5 lc rgb '#D55E00'
 set arrow 2 from 226,65 to 226,87 nohead lw 5 lc rgb '#E69F00'
 set label 20 'half are solved; bar: its 95 % band' at 252,76 left font ',11'
 set label 21 '{/:Bold x}  where a share that is not monotone crosses 1/2' at 488,76 left font ',11'
-set label 22 'numbers: % solved of 8 to 128 draws; blank: none' at 798,76 left font ',11'
+set label 22 'numbers: % solved of 8 to 1000 draws; blank: none' at 798,76 left font ',11'
 plot NaN
 unset label
 unset object
@@ -96,7 +96,7 @@ set rmargin at screen 0.97667
 set tmargin at screen 0.85259
 set bmargin at screen 0.66335
 set title 'lexicographic-pivot' noenhanced offset 0,0.5 font ',12'
-set label 1 'line in 2 of 5 columns, 2 above, 1 not monotone' at graph 0.5, graph 1.06 center font ',10' tc rgb '#555555'
+set label 1 'line in 2 of 5 columns, 1 above, 2 not monotone' at graph 0.5, graph 1.06 center font ',10' tc rgb '#555555'
 set border 3 lc rgb '#555555'
 set xrange [3:18]
 set yrange [-9.5:-1.5]

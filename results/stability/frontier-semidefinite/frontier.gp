@@ -1,7 +1,7 @@
 # Share of draws of semidefinite solved, by degenerate and rank, and the 50 % line.
 # To restyle: edit, then gnuplot frontier.gp > frontier.svg
 DATA = 'frontier.dat'
-set terminal svg size 1204,1004 enhanced background '#ffffff' font 'sans-serif,12'
+set terminal svg size 1286,1004 enhanced background '#ffffff' font 'sans-serif,12'
 set datafile missing NaN
 set multiplot
 unset key
@@ -11,7 +11,7 @@ set tmargin at screen 1.00000
 set bmargin at screen 0.89641
 unset border
 unset tics
-set xrange [0:1204]
+set xrange [0:1286]
 set yrange [104:0]
 set label 1 'semidefinite: share of draws solved, by degenerate and rank' at 14,20 left noenhanced font ',15'
 set label 2 'rank: of M; half of n;  degenerate: pairs with z_i = w_i = 0' at 14,46 left noenhanced font ',11' tc rgb '#555555'
@@ -29,13 +29,13 @@ set arrow 1 from 208,76 to 244,76 nohead lw 2.5 lc rgb '#D55E00'
 set arrow 2 from 226,65 to 226,87 nohead lw 5 lc rgb '#E69F00'
 set label 20 'half are solved; bar: its 95 % band' at 252,76 left font ',11'
 set label 21 '{/:Bold x}  where a share that is not monotone crosses 1/2' at 488,76 left font ',11'
-set label 22 'numbers: % solved of 12 to 144 draws; blank: none' at 798,76 left font ',11'
+set label 22 'numbers: % solved of 12 to 1000 draws; blank: none' at 798,76 left font ',11'
 plot NaN
 unset label
 unset object
 unset arrow
-set lmargin at screen 0.05482
-set rmargin at screen 0.24585
+set lmargin at screen 0.06532
+set rmargin at screen 0.24417
 set tmargin at screen 0.85259
 set bmargin at screen 0.66335
 set title 'lemke' noenhanced offset 0,0.5 font ',12'
@@ -53,8 +53,8 @@ plot DATA index 0 using 1:2:($3+0.02*($4-$3)):($4-0.02*($4-$3)):($5+0.02*($6-$5)
      DATA index 1 using 1:2 with points pt 7 ps 0.6 lc rgb '#D55E00', \
      DATA index 2 using 1:2 with points pt 2 ps 0.9 lw 2 lc rgb '#000000', \
      DATA index 0 using ($3+0.27*($4-$3)):2:(strcol(8) eq '0' ? '' : strcol(8)):9 with labels font ',8' tc rgb variable
-set lmargin at screen 0.30066
-set rmargin at screen 0.49169
+set lmargin at screen 0.30949
+set rmargin at screen 0.48834
 set tmargin at screen 0.85259
 set bmargin at screen 0.66335
 set title 'lemke-revised' noenhanced offset 0,0.5 font ',12'
@@ -72,8 +72,8 @@ plot DATA index 3 using 1:2:($3+0.02*($4-$3)):($4-0.02*($4-$3)):($5+0.02*($6-$5)
      DATA index 4 using 1:2 with points pt 7 ps 0.6 lc rgb '#D55E00', \
      DATA index 5 using 1:2 with points pt 2 ps 0.9 lw 2 lc rgb '#000000', \
      DATA index 3 using ($3+0.27*($4-$3)):2:(strcol(8) eq '0' ? '' : strcol(8)):9 with labels font ',8' tc rgb variable
-set lmargin at screen 0.54651
-set rmargin at screen 0.73754
+set lmargin at screen 0.55365
+set rmargin at screen 0.73250
 set tmargin at screen 0.85259
 set bmargin at screen 0.66335
 set title 'lexicographic' noenhanced offset 0,0.5 font ',12'
@@ -91,8 +91,8 @@ plot DATA index 6 using 1:2:($3+0.02*($4-$3)):($4-0.02*($4-$3)):($5+0.02*($6-$5)
      DATA index 7 using 1:2 with points pt 7 ps 0.6 lc rgb '#D55E00', \
      DATA index 8 using 1:2 with points pt 2 ps 0.9 lw 2 lc rgb '#000000', \
      DATA index 6 using ($3+0.27*($4-$3)):2:(strcol(8) eq '0' ? '' : strcol(8)):9 with labels font ',8' tc rgb variable
-set lmargin at screen 0.79236
-set rmargin at screen 0.98339
+set lmargin at screen 0.79782
+set rmargin at screen 0.97667
 set tmargin at screen 0.85259
 set bmargin at screen 0.66335
 set title 'lexicographic-pivot' noenhanced offset 0,0.5 font ',12'
@@ -110,8 +110,8 @@ plot DATA index 9 using 1:2:($3+0.02*($4-$3)):($4-0.02*($4-$3)):($5+0.02*($6-$5)
      DATA index 10 using 1:2 with points pt 7 ps 0.6 lc rgb '#D55E00', \
      DATA index 11 using 1:2 with points pt 2 ps 0.9 lw 2 lc rgb '#000000', \
      DATA index 9 using ($3+0.27*($4-$3)):2:(strcol(8) eq '0' ? '' : strcol(8)):9 with labels font ',8' tc rgb variable
-set lmargin at screen 0.05482
-set rmargin at screen 0.24585
+set lmargin at screen 0.06532
+set rmargin at screen 0.24417
 set tmargin at screen 0.55378
 set bmargin at screen 0.36454
 set title 'lexicographic-revised' noenhanced offset 0,0.5 font ',12'
@@ -129,8 +129,8 @@ plot DATA index 12 using 1:2:($3+0.02*($4-$3)):($4-0.02*($4-$3)):($5+0.02*($6-$5
      DATA index 13 using 1:2 with points pt 7 ps 0.6 lc rgb '#D55E00', \
      DATA index 14 using 1:2 with points pt 2 ps 0.9 lw 2 lc rgb '#000000', \
      DATA index 12 using ($3+0.27*($4-$3)):2:(strcol(8) eq '0' ? '' : strcol(8)):9 with labels font ',8' tc rgb variable
-set lmargin at screen 0.30066
-set rmargin at screen 0.49169
+set lmargin at screen 0.30949
+set rmargin at screen 0.48834
 set tmargin at screen 0.55378
 set bmargin at screen 0.36454
 set title 'best-first' noenhanced offset 0,0.5 font ',12'
@@ -148,8 +148,8 @@ plot DATA index 15 using 1:2:($3+0.02*($4-$3)):($4-0.02*($4-$3)):($5+0.02*($6-$5
      DATA index 16 using 1:2 with points pt 7 ps 0.6 lc rgb '#D55E00', \
      DATA index 17 using 1:2 with points pt 2 ps 0.9 lw 2 lc rgb '#000000', \
      DATA index 15 using ($3+0.27*($4-$3)):2:(strcol(8) eq '0' ? '' : strcol(8)):9 with labels font ',8' tc rgb variable
-set lmargin at screen 0.54651
-set rmargin at screen 0.73754
+set lmargin at screen 0.55365
+set rmargin at screen 0.73250
 set tmargin at screen 0.55378
 set bmargin at screen 0.36454
 set title 'best-first-lexicographic' noenhanced offset 0,0.5 font ',12'
@@ -167,8 +167,8 @@ plot DATA index 18 using 1:2:($3+0.02*($4-$3)):($4-0.02*($4-$3)):($5+0.02*($6-$5
      DATA index 19 using 1:2 with points pt 7 ps 0.6 lc rgb '#D55E00', \
      DATA index 20 using 1:2 with points pt 2 ps 0.9 lw 2 lc rgb '#000000', \
      DATA index 18 using ($3+0.27*($4-$3)):2:(strcol(8) eq '0' ? '' : strcol(8)):9 with labels font ',8' tc rgb variable
-set lmargin at screen 0.79236
-set rmargin at screen 0.98339
+set lmargin at screen 0.79782
+set rmargin at screen 0.97667
 set tmargin at screen 0.55378
 set bmargin at screen 0.36454
 set title 'projected-gauss-seidel' noenhanced offset 0,0.5 font ',12'
@@ -186,8 +186,8 @@ plot DATA index 21 using 1:2:($3+0.02*($4-$3)):($4-0.02*($4-$3)):($5+0.02*($6-$5
      DATA index 22 using 1:2 with points pt 7 ps 0.6 lc rgb '#D55E00', \
      DATA index 23 using 1:2 with points pt 2 ps 0.9 lw 2 lc rgb '#000000', \
      DATA index 21 using ($3+0.27*($4-$3)):2:(strcol(8) eq '0' ? '' : strcol(8)):9 with labels font ',8' tc rgb variable
-set lmargin at screen 0.05482
-set rmargin at screen 0.24585
+set lmargin at screen 0.06532
+set rmargin at screen 0.24417
 set tmargin at screen 0.25498
 set bmargin at screen 0.06574
 set title 'siconos-lexicographic-lemke' noenhanced offset 0,0.5 font ',12'
@@ -205,8 +205,8 @@ plot DATA index 24 using 1:2:($3+0.02*($4-$3)):($4-0.02*($4-$3)):($5+0.02*($6-$5
      DATA index 25 using 1:2 with points pt 7 ps 0.6 lc rgb '#D55E00', \
      DATA index 26 using 1:2 with points pt 2 ps 0.9 lw 2 lc rgb '#000000', \
      DATA index 24 using ($3+0.27*($4-$3)):2:(strcol(8) eq '0' ? '' : strcol(8)):9 with labels font ',8' tc rgb variable
-set lmargin at screen 0.30066
-set rmargin at screen 0.49169
+set lmargin at screen 0.30949
+set rmargin at screen 0.48834
 set tmargin at screen 0.25498
 set bmargin at screen 0.06574
 set title 'siconos-newton-fb' noenhanced offset 0,0.5 font ',12'
@@ -224,8 +224,8 @@ plot DATA index 27 using 1:2:($3+0.02*($4-$3)):($4-0.02*($4-$3)):($5+0.02*($6-$5
      DATA index 28 using 1:2 with points pt 7 ps 0.6 lc rgb '#D55E00', \
      DATA index 29 using 1:2 with points pt 2 ps 0.9 lw 2 lc rgb '#000000', \
      DATA index 27 using ($3+0.27*($4-$3)):2:(strcol(8) eq '0' ? '' : strcol(8)):9 with labels font ',8' tc rgb variable
-set lmargin at screen 0.54651
-set rmargin at screen 0.73754
+set lmargin at screen 0.55365
+set rmargin at screen 0.73250
 set tmargin at screen 0.25498
 set bmargin at screen 0.06574
 set title 'bullet-lemke' noenhanced offset 0,0.5 font ',12'

@@ -49,8 +49,7 @@ std::string family_of(const Instance& instance) {
 
 class ShrunkInstance : public testing::TestWithParam<std::string> {
  protected:
-  const Instance instance_ =
-      load_instances(std::string(SHRUNK_INSTANCES) + "/" + GetParam()).at(0);
+  const Instance instance_ = load_instances(std::string(SHRUNK_INSTANCES) + "/" + GetParam()).at(0);
 };
 
 TEST_P(ShrunkInstance, StillFailsWithTheSameVerdict) {

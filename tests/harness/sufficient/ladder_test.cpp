@@ -72,7 +72,8 @@ TEST(ModelLadder, AFinerReferenceHasTheScenesOwnStepAsARung) {
 }
 
 TEST(ModelLadder, SolversAskedForStandBelowTheLaddersOwnAndOnce) {
-  const ModelLadder ladder = make_ladder("squat", "best-first", {"lexicographic-revised", "best-first"});
+  const ModelLadder ladder =
+      make_ladder("squat", "best-first", {"lexicographic-revised", "best-first"});
   const Axis* solvers = find(ladder, "solver");
   EXPECT_EQ(solvers->rungs.front().label, "best-first");
   EXPECT_EQ(solvers->rungs.back().label, "lexicographic-revised");

@@ -13,9 +13,9 @@ namespace lcp {
 /// The ladder of a scene with one axis, or none, of which only the rungs named stand below the
 /// reference's.
 inline StudyPlan plan_of(const std::string& scene, double duration, const std::string& axis = "",
-                  const std::vector<std::string>& rungs = {},
-                  const std::string& reference = "best-first",
-                  const std::vector<std::string>& solvers = {}) {
+                         const std::vector<std::string>& rungs = {},
+                         const std::string& reference = "best-first",
+                         const std::vector<std::string>& solvers = {}) {
   StudyPlan plan;
   plan.ladder = make_ladder(scene, reference, solvers);
   for (Axis& each : plan.ladder.axes) {
