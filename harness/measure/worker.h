@@ -49,9 +49,8 @@ class Worker {
  public:
   /// Forks, and has the child call `prepare` once, outside the clock; throws std::system_error when the
   /// system refuses.
-  Worker(
-      const std::function<Result()>& solve, const Limits& limits,
-      const std::function<void()>& prepare = [] {});
+  Worker(const std::function<Result()>& solve, const Limits& limits,
+         const std::function<void()>& prepare = [] {});
   ~Worker();
   Worker(const Worker&) = delete;
   Worker& operator=(const Worker&) = delete;
