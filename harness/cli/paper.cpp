@@ -11,6 +11,7 @@
 #include "harness/paper/choices.h"
 #include "harness/paper/reproduce.h"
 #include "harness/paper/scene_table.h"
+#include "harness/paper/table_pictures.h"
 #include "harness/paper/written_forms.h"
 #include "harness/pictures/paper_figures.h"
 #include "harness/progress.h"
@@ -47,7 +48,7 @@ int say_interrupted(const std::filesystem::path& directory) {
 }
 
 /// Prints what `compute` made in `how`'s directory and writes it beside that directory in each
-/// format; it hands back nothing when interrupted.
+/// format and as a picture; it hands back nothing when interrupted.
 template <class Compute>
 int print(Reproduction how, const PaperArguments& arguments, const Compute& compute) {
   const std::atomic<bool>& interrupted = catch_interruptions();
@@ -63,7 +64,9 @@ int print(Reproduction how, const PaperArguments& arguments, const Compute& comp
   std::fflush(stdout);
   const std::string stem = how.directory.string() + (arguments.all_solvers ? "-all-solvers" : "");
   write_each_format(stem, rendered);
-  fmt::print(stderr, "written as {}.txt, .csv, .json and .tex; all that it comes from is in {}\n",
+  draw_dots(stem + ".svg", picture_of(*made));
+  fmt::print(stderr,
+             "written as {}.txt, .csv, .json, .tex and .svg; all that it comes from is in {}\n",
              stem, how.directory.string());
   return done;
 }
@@ -232,7 +235,8 @@ Verb add_paper(CLI::App& program) {
       ->check(CLI::Range(1, 1024));
   page->footer(
       "One of --table, --figure, --choices, --all. Computes what DIR/tableN does not hold yet: an "
-      "interrupted command goes on when repeated. Writes DIR/tableN.txt, .csv, .json and .tex.\n"
+      "interrupted command goes on when repeated. Writes DIR/tableN.txt, .csv, .json, .tex and "
+      ".svg.\n"
       "Success means the paper's criterion with e_max = 1e-3; beside it counts at residual 1e-6.\n"
       "Table 3 takes a few minutes; with --all-solvers, which adds how long each solver keeps the "
       "bodies together and how far from best-first's motion, hours.\n"

@@ -137,7 +137,7 @@ class Pair {
               return solve_islands(*entrant.solver->solver, islands, instance.problem.size(), {},
                                    entrant.start, instance.previous);
             },
-            Limits{plan.timeout, plan.memory_bytes},
+            Limits{plan.timeout, plan.memory_bytes, plan.warm_up_below},
             entrant.solver->info.peer() ? std::function<void()>(silence_outside_calls) : [] {})) {}
 
   bool done() const { return !worker_; }

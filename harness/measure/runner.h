@@ -34,6 +34,10 @@ struct RunPlan {
   int jobs = 1;             ///< Instances worked on, and so solves running, at the same time.
   Index max_contacts = 60;  ///< Instances above get `not-run` rows.
   int max_samples = 9;      ///< Timed repetitions of a solved pair.
+  /// A repetition is timed right after another, untimed one where the last one took less than this:
+  /// other workers had the caches in between, and reading a short one's problem back from memory would
+  /// take longer than solving it.
+  std::chrono::nanoseconds warm_up_below = std::chrono::milliseconds(2);
   double spread = 0.05;  ///< Repetitions stop when the quartiles are this close, over the median.
   std::string environment;  ///< Id of env.json.
   Shard shard;

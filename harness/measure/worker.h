@@ -19,10 +19,8 @@ namespace lcp {
 struct Limits {
   std::chrono::nanoseconds time;
   std::int64_t resident_bytes;  ///< Above what the worker held when it was started.
-  /// A solve is timed right after another, untimed one where the last one took less than this: other
-  /// workers had the caches in between, and reading a short one's problem back from memory would
-  /// take longer than solving it.
-  std::chrono::nanoseconds warm_up_below = std::chrono::milliseconds(2);
+  /// A solve is timed right after another, untimed one where the last one took less than this.
+  std::chrono::nanoseconds warm_up_below{};
 };
 
 /// How one solve in a worker ended.

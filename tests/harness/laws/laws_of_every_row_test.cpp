@@ -20,9 +20,10 @@ class EveryRow : public testing::TestWithParam<Case> {};
 TEST_P(EveryRow, ObeysTheLaw) {
   const auto& [row, law] = GetParam();
   const LawOutcome outcome = check(law, make_solver(row.info.name));
-  if (outcome.status == LawOutcome::Status::not_applicable) GTEST_SKIP() << outcome.detail;
+  if (outcome.status == LawOutcome::Status::not_applicable)
+    GTEST_SKIP() << row.info.name << ", " << law.name << ": " << outcome.detail;
   if (outcome.status == LawOutcome::Status::broken && row.info.peer() && law.of_answers)
-    GTEST_SKIP() << "broken by " << row.info.outside_library
+    GTEST_SKIP() << row.info.name << ", " << law.name << ": broken by " << row.info.outside_library
                  << ", whose answers are not repaired: " << outcome.detail;
   EXPECT_EQ(outcome.status, LawOutcome::Status::holds) << law.statement << ": " << outcome.detail;
 }

@@ -2,10 +2,12 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <filesystem>
 #include <map>
 #include <nlohmann/json.hpp>
 
+#include "harness/paper/table_pictures.h"
 #include "problems/io/errors.h"
 #include "solvers/registry.h"
 #include "tests/harness/temporary_directory.h"
@@ -71,6 +73,21 @@ TEST_F(Reproduce, SetsTheTableTogether) {
       EXPECT_EQ(row.at("published").at("success"), 506);
     }
   EXPECT_TRUE(found);
+}
+
+TEST_F(Reproduce, ThePictureShowsPublishedAndMeasuredOfEveryRow) {
+  const PaperTable table = run().value();
+  const DotPage page = picture_of(table);
+  EXPECT_EQ(page.panels.size(), table.plan.rows.size());
+  ASSERT_EQ(page.legend,
+            (std::vector<std::string>{"published", "in the loop", "on corpus", "at 1e-6"}));
+  for (const DotPanel& panel : page.panels) {
+    if (panel.title != "success") continue;
+    ASSERT_EQ(panel.series.size(), 4u);
+    EXPECT_EQ(panel.series[0].values[0], 506) << "of lemke";
+    EXPECT_TRUE(std::isnan(panel.series[0].values[1])) << "best-first has no published value";
+    EXPECT_EQ(panel.series[1].values[1], 4) << "of best-first, in the loop";
+  }
 }
 
 TEST_F(Reproduce, ComputesOnlyWhatIsMissing) {

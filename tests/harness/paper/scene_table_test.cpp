@@ -8,6 +8,7 @@
 #include <nlohmann/json.hpp>
 #include <sstream>
 
+#include "harness/paper/table_pictures.h"
 #include "problems/scenes/scene.h"
 #include "solvers/registry.h"
 #include "tests/harness/temporary_directory.h"
@@ -112,6 +113,13 @@ TEST(SceneTables, ARowHasALinePerSolverWithStarsWhereTheyAreFar) {
   EXPECT_FALSE(found[1].cells[2].far);
   EXPECT_EQ(found[2].label, "best-first");
   EXPECT_TRUE(found[2].cells[2].far);
+}
+
+TEST(SceneTables, ThePictureHasAPanelPerRowAndALineOfItPerScene) {
+  const DotPage page = picture_of(made_up_table());
+  EXPECT_EQ(page.legend, (std::vector<std::string>{"published", "proposed", "best-first"}));
+  ASSERT_EQ(page.panels.size(), scene_plan(false).rows.size());
+  for (const DotPanel& panel : page.panels) EXPECT_EQ(panel.rows, published().table(3).columns);
 }
 
 TEST(SceneTables, RowsOfOursHaveNoPublishedLine) {
