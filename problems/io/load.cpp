@@ -140,6 +140,7 @@ std::vector<Instance> load_instances(const std::string& where,
       if (name.empty())
         throw UnreadableInput(fmt::format("{}: no name behind the '#', expected FILE#NAME", where));
     }
+    if (fs::is_directory(file)) return named(load_directory(file, skipped, options), file, name);
     if (!fs::is_regular_file(file))
       throw UnreadableInput(fmt::format("{}: no such file or directory", file));
     return load_file(file, name, fs::path(file).filename(), options);

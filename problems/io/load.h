@@ -12,7 +12,7 @@ namespace lcp {
 /// Instances named on the command line. `where` is one of
 ///
 ///     FILE         all instances of a file
-///     FILE#NAME    the instance of that name
+///     FILE#NAME    the instance of that name; likewise DIRECTORY#NAME
 ///     DIRECTORY    all instances of the files below it with the endings that follow, in order of
 ///                  paths
 ///

@@ -102,6 +102,15 @@ TEST(Sufficient, EndsWithoutAnAnswerWhenInterrupted) {
                    .has_value());
 }
 
+TEST(SufficientReport, SaysWhereNothingTouches) {
+  const char* told = "Nothing touches in this time";
+  const auto text = [](const char* scene, double duration) {
+    return render({made(plan_of(scene, duration))}, TableFormat::text);
+  };
+  EXPECT_NE(text("squat:points=8", 0.001).find(told), std::string::npos);
+  EXPECT_EQ(text("squat:points=8", 0.01).find(told), std::string::npos);
+}
+
 TEST(SufficientReport, HasARowForEveryModelInEveryFormat) {
   const Study study =
       made(plan_of("squat:points=8", 0.02, "contacts", {"deepest-4", "reduction=paper"}));

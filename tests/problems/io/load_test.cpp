@@ -99,6 +99,14 @@ TEST_F(Load, CollectsADirectoryAndWhatIsBelowIt) {
   EXPECT_EQ(names_of(load_instances(folder.path())), (Names{"inner/x", "c/1", "c/2"}));
 }
 
+TEST_F(Load, TakesOneInstanceOfADirectoryByItsName) {
+  save_instances(folder.file("a.hdf5"), {named("one"), named("two")});
+  save_instances(folder.file("b.hdf5"), {named("three")});
+  EXPECT_EQ(names_of(load_instances(folder.path() + "#three")), Names{"three"});
+  EXPECT_EQ(complaint_about(folder.path() + "#four"),
+            folder.path() + ": holds no instance called 'four'");
+}
+
 TEST_F(Load, ReportsTheUnreadableFilesOfADirectoryOrLeavesThemOutOnRequest) {
   save_instances(folder.file("good.hdf5"), {named("a")});
   files::put(folder.file("bad.hdf5"), "not HDF5");
