@@ -59,7 +59,7 @@ std::string saved(const Saving& saving) {
 std::string compared_over(const Study& study) {
   const StudyPlan& plan = study.plan;
   if (study.reference.frames == 0)
-    return "Nothing touches in this time, so that every model passes: try a longer --duration.\n";
+    return "Nothing touches in this time, which says nothing of contact: try a longer --duration.\n";
   if (study.horizon == plan.duration)
     return fmt::format(
         "Compared over {:g} s; up to there the disturbed reference stays within {:g} of each "
