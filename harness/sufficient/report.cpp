@@ -58,17 +58,20 @@ std::string saved(const Saving& saving) {
 
 std::string compared_over(const Study& study) {
   const StudyPlan& plan = study.plan;
-  if (study.reference.frames == 0)
-    return "Nothing touches in this time, which says nothing of contact: try a longer --duration.\n";
+  const char* untouched =
+      study.reference.frames > 0
+          ? ""
+          : "Nothing touches in this time, which says nothing of contact: try a longer "
+            "--duration.\n";
   if (study.horizon == plan.duration)
     return fmt::format(
         "Compared over {:g} s; up to there the disturbed reference stays within {:g} of each "
-        "tolerance.\n",
-        study.horizon, plan.floor_share);
+        "tolerance.\n{}",
+        study.horizon, plan.floor_share, untouched);
   return fmt::format(
       "Compared over {:g} s of {:g} s: then the disturbed reference is {:g} of a tolerance from "
-      "itself, and later differences say nothing.\n",
-      study.horizon, plan.duration, plan.floor_share);
+      "itself, and later differences say nothing.\n{}",
+      study.horizon, plan.duration, plan.floor_share, untouched);
 }
 
 std::string conclusion(const Study& study) {
