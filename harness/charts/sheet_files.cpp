@@ -1,12 +1,7 @@
 #include "harness/charts/sheet_files.h"
 
-#include <fmt/format.h>
-
-#include <system_error>
-
 #include "harness/charts/chart.h"
 #include "harness/charts/sheet_pictures.h"
-#include "problems/io/errors.h"
 #include "problems/io/replace_file.h"
 
 namespace lcp {
@@ -17,11 +12,7 @@ void write_sheet(const Sheet& sheet, const std::filesystem::path& directory) {
   const auto path = [&](const std::string& name, const std::string& rest) {
     return directory / (name + of_measure + rest);
   };
-  std::error_code error;
-  std::filesystem::create_directories(directory, error);
-  if (error)
-    throw UnwritableOutput(
-        fmt::format("{}: cannot create: {}", directory.string(), error.message()));
+  make_directories(directory);
   replace_file(path("sheet", ".txt").string(), render(sheet, SheetFormat::text));
   replace_file(path("sheet", ".csv").string(), render(sheet, SheetFormat::csv));
   replace_file(path("sheet", ".json").string(), render(sheet, SheetFormat::json));

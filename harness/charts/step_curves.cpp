@@ -13,10 +13,10 @@ namespace lcp {
 namespace {
 
 /// Pixels.
-constexpr double least_page_width = 1060, page_head = 34;
+constexpr double least_page_width = 1060, curves_head = 34;
 constexpr PageArea large = {74, 540, 70, 370};
 constexpr double legend_left = 640, legend_line = 20, legend_stroke = 34;
-constexpr double letter = 7.2;
+constexpr double legend_letter = 7.2;
 constexpr int small_columns = 4;
 constexpr double small_top = 510, small_left = 62, small_pitch = 250, small_row = 215;
 constexpr double small_width = 182, small_height = 140;
@@ -33,8 +33,8 @@ double small_rows(const StepCurvePage& page) {
 double width_of(const StepCurvePage& page) {
   double width = least_page_width;
   for (const std::string& name : page.legend)
-    width = std::max(width,
-                     legend_left + legend_stroke + 16 + letter * static_cast<double>(name.size()));
+    width = std::max(
+        width, legend_left + legend_stroke + 16 + legend_letter * static_cast<double>(name.size()));
   return width;
 }
 
@@ -102,7 +102,7 @@ std::string caption_commands(const StepCurvePage& page, double height) {
   return out + fmt::format(
                    "set label {} '{}' at screen 0.5, screen {:.5f} center noenhanced font "
                    "',15'\nplot NaN\n",
-                   lines.size() + 1, fit_for_gnuplot(page.title), 1 - page_head / 2 / height);
+                   lines.size() + 1, fit_for_gnuplot(page.title), 1 - curves_head / 2 / height);
 }
 
 }  // namespace

@@ -65,12 +65,12 @@ StudyPlan study_plan(const std::string& scene, const std::string& duration,
 /// Names every model that would be simulated without knowing which pass.
 void print_plan(const StudyPlan& plan) {
   const ModelLadder& ladder = plan.ladder;
-  const SceneModel reference = model_of(ladder, std::vector<std::size_t>(ladder.axes.size(), 0));
+  const SceneModel reference = model_of(ladder, Rungs(ladder.axes.size(), 0));
   fmt::print("{}: up to {:g} s, {} rounds\n  reference: {} with {}\n", ladder.scene, plan.duration,
              plan.rounds, reference.scene, reference.solver);
   for (std::size_t axis = 0; axis < ladder.axes.size(); ++axis)
     for (std::size_t rung = 1; rung < ladder.axes[axis].rungs.size(); ++rung) {
-      std::vector<std::size_t> rungs(ladder.axes.size(), 0);
+      Rungs rungs(ladder.axes.size(), 0);
       rungs[axis] = rung;
       fmt::print("  {:<10} {}\n", ladder.axes[axis].name, model_of(ladder, rungs).label);
     }

@@ -9,7 +9,6 @@
 #include "harness/pictures/dance_figure.h"
 #include "harness/pictures/force_figure.h"
 #include "harness/pictures/scene_panels.h"
-#include "problems/io/errors.h"
 #include "problems/io/replace_file.h"
 
 namespace lcp {
@@ -30,14 +29,6 @@ constexpr struct {
     {"net", {0, 0.1, 1}, -52, 30, 240},
 };
 
-void make_directory(const std::filesystem::path& directory) {
-  std::error_code error;
-  std::filesystem::create_directories(directory, error);
-  if (error)
-    throw UnwritableOutput(
-        fmt::format("{}: cannot create: {}", directory.string(), error.message()));
-}
-
 void prepare(const std::filesystem::path& directory, const NamedScene& scene) {
   const std::size_t handles = scene.setup.system.handles.size();
   if (handles != 2)
@@ -45,7 +36,7 @@ void prepare(const std::filesystem::path& directory, const NamedScene& scene) {
         "{}: has {} links that may touch something, expected a scene with two: the left "
         "and the right foot",
         scene.spelling, handles));
-  make_directory(directory);
+  make_directories(directory);
 }
 
 /// Shows frames to the snapshots first.
@@ -141,7 +132,7 @@ std::vector<LoopRun> write_figure_4(const std::filesystem::path& directory,
     const double last = film.times.empty() ? 0 : std::ranges::max(film.times);
     setup.duration = std::min(setup.duration, last + setup.stepping.dt);
   }
-  make_directory(directory);
+  make_directories(directory);
   std::vector<LoopRun> runs;
   std::vector<ScenePanels> rows;
   std::string csv = "scene,time_s,link,x_m,y_m,z_m\n";

@@ -22,14 +22,6 @@ namespace {
 namespace fs = std::filesystem;
 using nlohmann::json;
 
-void create(const fs::path& directory) {
-  std::error_code error;
-  fs::create_directories(directory, error);
-  if (error)
-    throw UnwritableOutput(
-        fmt::format("{}: cannot create: {}", directory.string(), error.message()));
-}
-
 /// Does what writes rows, turning the system's refusal into an UnwritableOutput.
 template <class Write>
 auto writing_rows(Write write) {
@@ -145,7 +137,7 @@ OpenRun open_run(const fs::path& directory, RunSettings settings, int jobs, Exis
   if (begun) {
     settings = resume(directory, std::move(settings), environment, note);
   } else {
-    create(directory);
+    make_directories(directory);
     remove_unfinished(directory);  // of a run killed before it had a run.json
     write_json(file_of(directory, environment, true), environment);
   }
@@ -307,7 +299,7 @@ void write_stored_run(const StoredRun& run) {
   // All of it in a directory beside, which then takes its name.
   fs::path unfinished = directory;
   unfinished += fmt::format(".{}.tmp", getpid());
-  create(unfinished);
+  make_directories(unfinished);
   try {
     for (const json& environment : run.environments)
       write_json(file_of(unfinished, environment, &environment == &run.environments.front()),

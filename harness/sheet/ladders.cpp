@@ -38,7 +38,7 @@ json option_of(const Record& record, const std::string& name) {
 }
 
 /// The settings of one registry row from one start: place in the group's rows, and options.
-struct Family {
+struct RowSettings {
   struct Member {
     std::size_t row;
     const Record* record;
@@ -56,11 +56,11 @@ struct Family {
   }
 };
 
-std::map<std::pair<std::string, std::string>, Family> families(const std::vector<Entry>& entries,
-                                                               const std::vector<SheetRow>& rows) {
+std::map<std::pair<std::string, std::string>, RowSettings> families(
+    const std::vector<Entry>& entries, const std::vector<SheetRow>& rows) {
   std::map<std::size_t, const Record*> record_of;
   for (const Entry& entry : entries) record_of.try_emplace(entry.setting, entry.record);
-  std::map<std::pair<std::string, std::string>, Family> all;
+  std::map<std::pair<std::string, std::string>, RowSettings> all;
   for (std::size_t row = 0; row < rows.size(); ++row) {
     const Record* record = record_of.at(rows[row].setting);
     all[{record->row, record->start}].members.push_back({row, record});
@@ -111,8 +111,8 @@ std::vector<Ladder> make_ladders(const std::vector<Entry>& entries,
   std::vector<Ladder> ladders;
   for (const auto& [name, family] : families(entries, rows)) {
     for (const auto& [option, unused] : family.members.front().record->options.items()) {
-      std::map<json, std::vector<Family::Member>> clusters;  // by all other options
-      for (const Family::Member& member : family.members) {
+      std::map<json, std::vector<RowSettings::Member>> clusters;  // by all other options
+      for (const RowSettings::Member& member : family.members) {
         if (!numeric(option_of(*member.record, option))) continue;
         json others = member.record->options;
         others.erase(option);
@@ -120,12 +120,13 @@ std::vector<Ladder> make_ladders(const std::vector<Entry>& entries,
       }
       for (auto& [others, members] : clusters) {
         if (members.size() < 2) continue;
-        const auto value = [&](const Family::Member& member) {
+        const auto value = [&](const RowSettings::Member& member) {
           return *numeric(member.record->options.at(option));
         };
-        std::stable_sort(
-            members.begin(), members.end(),
-            [&](const Family::Member& a, const Family::Member& b) { return value(a) > value(b); });
+        std::stable_sort(members.begin(), members.end(),
+                         [&](const RowSettings::Member& a, const RowSettings::Member& b) {
+                           return value(a) > value(b);
+                         });
         const json usual = family.commonest(option);
         const auto base = std::find_if(members.begin(), members.end(), [&](const auto& member) {
           return member.record->options.at(option) == usual;
@@ -133,9 +134,9 @@ std::vector<Ladder> make_ladders(const std::vector<Entry>& entries,
         Ladder ladder;
         ladder.option = option;
         ladder.base = base == members.end() ? 0 : static_cast<std::size_t>(base - members.begin());
-        const Family::Member& reference = members[ladder.base];
+        const RowSettings::Member& reference = members[ladder.base];
         ladder.name = common_name(*reference.record, option);
-        for (const Family::Member& member : members) {
+        for (const RowSettings::Member& member : members) {
           Step step;
           step.value = spelled(member.record->options.at(option));
           step.row = member.row;

@@ -46,7 +46,7 @@ std::vector<std::string> split(const std::string& text, char at) {
   return words;
 }
 
-double rounded(double value) { return std::stod(fmt::format("{:.3g}", value)); }
+double to_three_digits(double value) { return std::stod(fmt::format("{:.3g}", value)); }
 
 /// The N values of FROM..TO/N.
 std::vector<double> spaced(const AxisText& axis, const std::string& range, bool geometric) {
@@ -63,7 +63,7 @@ std::vector<double> spaced(const AxisText& axis, const std::string& range, bool 
   for (double i = 0; i < count; ++i) {
     const double part = i / (count - 1);
     values.push_back(
-        rounded(geometric ? from * std::pow(to / from, part) : from + (to - from) * part));
+        to_three_digits(geometric ? from * std::pow(to / from, part) : from + (to - from) * part));
   }
   return values;
 }
@@ -111,7 +111,7 @@ KnobAxis parse_axis(const std::string& text, const std::string& option) {
   return axis;
 }
 
-std::string three_digits(double value) { return shortest(rounded(value)); }
+std::string three_digits(double value) { return shortest(to_three_digits(value)); }
 
 std::string to_string(const KnobAxis& axis) {
   return fmt::format("{}={}{}", axis.knob, fmt::join(axis.values, ","),

@@ -82,7 +82,7 @@ ModelLadder make_ladder(const std::string& scene, const std::string& reference_s
   return ladder;
 }
 
-SceneModel model_of(const ModelLadder& ladder, const std::vector<std::size_t>& rungs) {
+SceneModel model_of(const ModelLadder& ladder, const Rungs& rungs) {
   SceneModel model;
   const Spelling scene = parse_spelling(ladder.scene);
   std::vector<std::string> settings, labels;

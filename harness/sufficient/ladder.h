@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <optional>
 #include <string>
 #include <utility>
@@ -22,6 +23,9 @@ struct Axis {
   std::string name;
   std::vector<Rung> rungs;
 };
+
+/// A rung for each axis of a ladder, by its place.
+using Rungs = std::vector<std::size_t>;
 
 /// A model of a scene: a rung of every axis.
 struct SceneModel {
@@ -48,13 +52,13 @@ struct ModelLadder {
 ///     solver      the reference's, best-first at epsilon = e_max = 1e-3, projected-gauss-seidel from
 ///                 tolerance 1e-8 to 1e-2, and `solvers`
 ///
-/// An axis whose knob stands in `scene` is kept as it is there, and so is friction without any. Without `dt` the reference
-/// has the scene's own. Throws std::invalid_argument on an unknown scene, knob or solver, and
+/// An axis whose knob stands in `scene` is kept as it is there, and so is friction without any.
+/// Without `dt` the reference has the scene's own. Throws std::invalid_argument on an unknown scene, knob or solver, and
 /// on `dt` for a scene that was given its own.
 ModelLadder make_ladder(const std::string& scene, const std::string& reference_solver,
                         const std::vector<std::string>& solvers, std::optional<double> dt = {});
 
 /// The model with `rungs[k]` of axis k. Throws std::invalid_argument where the scene refuses it.
-SceneModel model_of(const ModelLadder& ladder, const std::vector<std::size_t>& rungs);
+SceneModel model_of(const ModelLadder& ladder, const Rungs& rungs);
 
 }  // namespace lcp

@@ -11,6 +11,7 @@
 #include <stdexcept>
 
 #include "harness/loop/tracked_runs.h"
+#include "harness/sufficient/combine.h"
 
 namespace lcp {
 
@@ -93,10 +94,10 @@ class Studied {
   }
 
   Study run() {
-    reference_model_ = model_of(plan_.ladder, std::vector<std::size_t>(axes(), 0));
+    reference_model_ = model_of(plan_.ladder, Rungs(axes(), 0));
     find_horizon();
     vary_each_axis_alone();
-    combine();
+    combine_axes();
     find_cheapest();
     return std::move(study_);
   }
@@ -207,63 +208,39 @@ class Studied {
     return rows;
   }
 
+  static Worth worth_of(const ModelRow& row) { return {row.passes, row.step_saved.all}; }
+
   void vary_each_axis_alone() {
     std::vector<SceneModel> models;
     std::vector<std::string> names;
     for (std::size_t axis = 0; axis < axes(); ++axis)
       for (std::size_t rung = 1; rung < plan_.ladder.axes[axis].rungs.size(); ++rung) {
-        std::vector<std::size_t> rungs(axes(), 0);
+        Rungs rungs(axes(), 0);
         rungs[axis] = rung;
         models.push_back(model_of(plan_.ladder, rungs));
         names.push_back(plan_.ladder.axes[axis].name);
-        single_.push_back({axis, rung});
+        single_.push_back({axis, rung, {}});
       }
     study_.rows = simulate(models, names);
-    judge_times();
+    for (std::size_t i = 0; i < single_.size(); ++i) single_[i].worth = worth_of(study_.rows[i]);
   }
 
-  void judge_times() {
-    for (ModelRow& row : study_.rows) row.cheaper = row.step_saved.all > study_.time_noise;
-  }
-
-  /// The best rung of every axis that has one, those that save most first: places in `single_`.
-  std::vector<std::size_t> best_of_each_axis() const {
-    std::vector<std::size_t> best;
-    const auto saves = [&](std::size_t i) { return study_.rows[i].step_saved.all; };
-    for (std::size_t axis = 0; axis < axes(); ++axis) {
-      std::optional<std::size_t> most;
-      for (std::size_t i = 0; i < single_.size(); ++i)
-        if (single_[i].axis == axis && study_.rows[i].passes && study_.rows[i].cheaper)
-          if (!most || saves(i) > saves(*most)) most = i;
-      if (most) best.push_back(*most);
-    }
-    std::sort(best.begin(), best.end(),
-              [&](std::size_t a, std::size_t b) { return saves(a) > saves(b); });
-    return best;
-  }
-
-  void combine() {
-    for (std::vector<std::size_t> best = best_of_each_axis(); best.size() > 1; best.pop_back()) {
-      std::vector<std::size_t> rungs(axes(), 0);
-      for (const std::size_t i : best) rungs[single_[i].axis] = single_[i].rung;
+  void combine_axes() {
+    combine(axes(), single_, study_.time_noise, [&](const Rungs& rungs) {
       study_.rows.push_back(simulate({model_of(plan_.ladder, rungs)}, {"combination"}).front());
-      judge_times();
-      if (study_.rows.back().passes) return;
-    }
+      return worth_of(study_.rows.back());
+    });
   }
 
   void find_cheapest() {
     for (std::size_t i = 0; i < study_.rows.size(); ++i) {
-      const ModelRow& row = study_.rows[i];
+      ModelRow& row = study_.rows[i];
+      row.cheaper = row.step_saved.all > study_.time_noise;
       if (!row.passes || !row.cheaper) continue;
       if (!study_.cheapest || row.step_saved.all > study_.rows[*study_.cheapest].step_saved.all)
         study_.cheapest = i;
     }
   }
-
-  struct Single {
-    std::size_t axis, rung;
-  };
 
   const StudyPlan& plan_;
   const std::function<void(const Progress&)>& progress_;
@@ -272,7 +249,7 @@ class Studied {
   SceneModel reference_model_;
   Track reference_;
   std::vector<Drift> floor_;
-  std::vector<Single> single_;  ///< Of the first rows.
+  std::vector<SingleRung> single_;  ///< Of the first rows.
   Study study_;
 };
 

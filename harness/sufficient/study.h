@@ -83,9 +83,8 @@ struct Study {
   std::optional<std::size_t> cheapest;  ///< The row that passes and saves most.
 };
 
-/// Simulates the reference, then each rung of each axis alone, then the rungs that pass and save
-/// most of every axis together: where that combination fails, once more without the axis that saves
-/// least. An answer that its solver claims to be solved acts, whatever its residual: models are
+/// Simulates the reference, then each rung of each axis alone, then combinations of those that pass
+/// (combine.h). An answer that its solver claims to be solved acts, whatever its residual: models are
 /// judged by what the bodies do. Where it claims none the rule of the paper's V-A applies.
 ///
 /// Every simulation runs in a process of its own, models taking turns in each round. Returns nothing

@@ -80,6 +80,13 @@ void replace_file(const std::string& path, std::string_view bytes) {
   synchronise_directory_of(path);
 }
 
+void make_directories(const std::filesystem::path& path) {
+  std::error_code error;
+  std::filesystem::create_directories(path, error);
+  if (error)
+    throw UnwritableOutput(fmt::format("{}: cannot create: {}", path.string(), error.message()));
+}
+
 void remove_unfinished(const std::filesystem::path& directory) {
   std::vector<std::filesystem::path> unfinished;
   for (const auto& entry : std::filesystem::recursive_directory_iterator(directory))

@@ -6,6 +6,7 @@
 
 #include "problems/io/errors.h"
 #include "problems/io/hdf5/corpus.h"
+#include "problems/io/replace_file.h"
 
 namespace lcp {
 
@@ -23,9 +24,7 @@ CorpusDump::CorpusDump(std::string directory, std::string scene, std::string dri
       !(fs::is_directory(directory_, error) && fs::is_empty(directory_, error)))
     throw UnwritableOutput(
         fmt::format("{}: exists already, expected a new directory for the corpus", directory_));
-  fs::create_directories(directory_, error);
-  if (error)
-    throw UnwritableOutput(fmt::format("{}: cannot create: {}", directory_, error.message()));
+  make_directories(directory_);
 }
 
 void CorpusDump::add(const Simulation& simulation, const Frame& frame) {

@@ -63,7 +63,7 @@ TEST_F(Simulate, OutputThatCannotBeWrittenIsOneLineAndStatus4) {
 
 TEST_F(Simulate, InterruptedKeepsWholeShardsAndSaysSo) {
   const Ran ran =
-      run({"squat:points=8", "--duration", "100s", "--dump", "corpus"}, "corpus/0000.hdf5");
+      run({"squat:points=8,mu=0", "--duration", "100s", "--dump", "corpus"}, "corpus/0000.hdf5");
   EXPECT_EQ(ran.status, 130);
   EXPECT_NE(ran.out.find("ended early: interrupted"), std::string::npos) << ran.out;
   const Ran info = run_program(LCPBENCH, {"info", "corpus"}, file("."));

@@ -7,6 +7,7 @@
 
 #include "harness/runs/run_directory.h"
 #include "problems/io/load.h"
+#include "problems/io/replace_file.h"
 
 namespace lcp {
 
@@ -91,7 +92,7 @@ void run_part(const PaperDirectory& directory, const OpenPart& open, const Corpu
       .every = 1,
       .limit = 0};
   const fs::path rows = rows_of(directory, *open.part, open.file);
-  make_directory(rows.parent_path());
+  make_directories(rows.parent_path());
   run_into(rows, std::move(plan), origin, Existing::resume, note, progress, interrupted);
 }
 

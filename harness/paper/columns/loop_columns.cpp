@@ -139,7 +139,7 @@ void compute_loop_columns(const PaperDirectory& directory,
   for (const LoopQuestion& question : questions) {
     const NamedScene& scene = stages.of(question);
     const fs::path file = directory.path() / loop_file(question);
-    make_directory(file.parent_path());
+    make_directories(file.parent_path());
     columns.push_back(
         {question, {}, directory.environment_id(), directory.environment().at("commit"), jobs});
     tasks.push_back([&scene, file, column = columns.back()](const std::function<void()>& beat) {

@@ -8,7 +8,6 @@
 #include <cstring>
 #include <fstream>
 #include <stdexcept>
-#include <system_error>
 #include <vector>
 
 #include "harness/measure/environment.h"
@@ -50,13 +49,6 @@ std::vector<json> environments(const fs::path& directory) {
 
 }  // namespace
 
-void make_directory(const fs::path& path) {
-  std::error_code error;
-  fs::create_directories(path, error);
-  if (error)
-    throw UnwritableOutput(fmt::format("{}: cannot create: {}", path.string(), error.message()));
-}
-
 json read_json_file(const fs::path& path) {
   std::ifstream stream(path);
   if (!stream) throw UnreadableInput(fmt::format("{}: cannot be read", path.string()));
@@ -70,7 +62,7 @@ json read_json_file(const fs::path& path) {
 PaperDirectory::PaperDirectory(const fs::path& path, int jobs,
                                const std::function<void(const std::string&)>& note)
     : path_(path), environment_(describe_environment(jobs)) {
-  make_directory(path_);
+  make_directories(path_);
   for (const json& begun : environments(path_))
     if (begun.at("commit") != environment_.at("commit"))
       throw std::invalid_argument(fmt::format(

@@ -40,9 +40,6 @@ class PaperDirectory {
   FileDescriptor lock_;
 };
 
-/// Makes a directory and those above it. Throws UnwritableOutput.
-void make_directory(const std::filesystem::path& path);
-
 /// Reads a JSON file. Throws UnreadableInput naming it.
 nlohmann::json read_json_file(const std::filesystem::path& path);
 

@@ -15,9 +15,7 @@ const Axis* find(const ModelLadder& ladder, const std::string& name) {
   return nullptr;
 }
 
-std::vector<std::size_t> richest(const ModelLadder& ladder) {
-  return std::vector<std::size_t>(ladder.axes.size(), 0);
-}
+Rungs richest(const ModelLadder& ladder) { return Rungs(ladder.axes.size(), 0); }
 
 TEST(ModelLadder, TheReferenceIsTheRichestOfEveryAxis) {
   const ModelLadder ladder = make_ladder("ring", "best-first", {});
@@ -33,7 +31,7 @@ TEST(ModelLadder, TheReferenceIsTheRichestOfEveryAxis) {
 
 TEST(ModelLadder, FrictionlessLeavesNothingTangential) {
   const ModelLadder ladder = make_ladder("hoist", "best-first", {});
-  std::vector<std::size_t> rungs = richest(ladder);
+  Rungs rungs = richest(ladder);
   ASSERT_EQ(ladder.axes[0].name, "friction");
   rungs[0] = ladder.axes[0].rungs.size() - 1;
   const SceneModel model = model_of(ladder, rungs);
@@ -54,7 +52,7 @@ TEST(ModelLadder, AnotherFrictionCoefficientLeavesTheFrictionAxisAndNoneDoesNot)
   const ModelLadder rough = make_ladder("squat:mu=0.3", "best-first", {});
   ASSERT_NE(find(rough, "friction"), nullptr);
   EXPECT_EQ(make_scene(model_of(rough, richest(rough)).scene).setup.system.mu, 0.3);
-  std::vector<std::size_t> rungs = richest(rough);
+  Rungs rungs = richest(rough);
   rungs[0] = rough.axes[0].rungs.size() - 1;
   EXPECT_EQ(make_scene(model_of(rough, rungs).scene).setup.system.mu, 0);
   EXPECT_EQ(find(make_ladder("squat:mu=0", "best-first", {}), "friction"), nullptr);

@@ -32,7 +32,7 @@ TEST(Sufficient, FrictionlessIsRejectedOnHoist) {
 }
 
 TEST(Sufficient, FourContactsAFootAreEnoughForSquat) {
-  const Study study = made(plan_of("squat", 0.04, "contacts", {"reduction=deepest-4"}));
+  const Study study = made(plan_of("squat", 0.025, "contacts", {"reduction=deepest-4"}));
   const ModelRow& row = study.rows.front();
   EXPECT_TRUE(row.passes) << render_text(study);
   EXPECT_LT(row.n, 0.8 * study.reference.n);
@@ -70,7 +70,7 @@ TEST(Sufficient, ComparesUntilTheDisturbedReferenceIsTooFarFromItself) {
 }
 
 TEST(Sufficient, CombinesWhatPassesAlone) {
-  StudyPlan plan = plan_of("squat", 0.04, "contacts", {"reduction=paper"});
+  StudyPlan plan = plan_of("squat", 0.015, "contacts", {"reduction=paper"});
   plan.ladder.axes[0].rungs.push_back({.label = "directions=4", .knobs = {{"directions", "4"}}});
   const Study study = made(plan);
   for (std::size_t i = 0; i < study.rows.size(); ++i) {

@@ -54,5 +54,16 @@ TEST(ReplaceFile, LeavesTheOldFileAndNothingElseWhenTheDiskIsFull) {
   EXPECT_TRUE(folder.empty());
 }
 
+TEST(MakeDirectories, MakesThoseAboveTooAndLeavesWhatIsThere) {
+  const files::TemporaryFolder folder;
+  const std::string path = folder.file("a/b");
+  make_directories(path);
+  files::put(path + "/x", "text");
+  make_directories(path);
+  EXPECT_EQ(files::content(path + "/x"), "text");
+  EXPECT_EQ(files::message_of<UnwritableOutput>([&] { make_directories(path + "/x/y"); }),
+            path + "/x/y: cannot create: Not a directory");
+}
+
 }  // namespace
 }  // namespace lcp
