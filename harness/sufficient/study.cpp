@@ -197,13 +197,18 @@ class Studied {
       for (std::size_t k = 0; k < made.size(); ++k) rounds[who[k]].add(made[k]);
       if (round == 0) first = std::move(made);
     }
-    study_.reference = row_of(reference_model_, "reference", first[0], rounds[0], rounds[0]);
-    study_.disturbed = row_of(reference_model_, "disturbed", first[1], rounds[1], rounds[0]);
-    const Saving& noise = study_.disturbed.step_saved;
-    study_.time_noise = std::max({study_.time_noise, std::abs(noise.low), std::abs(noise.high)});
+    const ModelRow disturbed =
+        row_of(reference_model_, "disturbed", first[1], rounds[1], rounds[0]);
+    if (study_.rows.empty()) {
+      study_.reference = row_of(reference_model_, "reference", first[0], rounds[0], rounds[0]);
+      study_.disturbed = disturbed;
+    }
     std::vector<ModelRow> rows;
     for (std::size_t i = 0; i < models.size(); ++i) {
-      rows.push_back(row_of(models[i], axis[i], first[i + 2], rounds[i + 2], rounds[0]));
+      ModelRow& row =
+          rows.emplace_back(row_of(models[i], axis[i], first[i + 2], rounds[i + 2], rounds[0]));
+      row.time_noise = std::abs(disturbed.step_saved.all);
+      row.cheaper = row.step_saved.all > row.time_noise;
     }
     return rows;
   }
@@ -226,7 +231,7 @@ class Studied {
   }
 
   void combine_axes() {
-    combine(axes(), single_, study_.time_noise, [&](const Rungs& rungs) {
+    combine(axes(), single_, std::abs(study_.disturbed.step_saved.all), [&](const Rungs& rungs) {
       study_.rows.push_back(simulate({model_of(plan_.ladder, rungs)}, {"combination"}).front());
       return worth_of(study_.rows.back());
     });
@@ -234,8 +239,7 @@ class Studied {
 
   void find_cheapest() {
     for (std::size_t i = 0; i < study_.rows.size(); ++i) {
-      ModelRow& row = study_.rows[i];
-      row.cheaper = row.step_saved.all > study_.time_noise;
+      const ModelRow& row = study_.rows[i];
       if (!row.passes || !row.cheaper) continue;
       if (!study_.cheapest || row.step_saved.all > study_.rows[*study_.cheapest].step_saved.all)
         study_.cheapest = i;

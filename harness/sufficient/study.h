@@ -68,17 +68,17 @@ struct ModelRow {
   double n = 0;              ///< Mean size of the LCP.
   double lcp = 0, step = 0;  ///< Processor time of LCPs and of all, s per simulated s.
   Saving lcp_saved, step_saved;
-  bool passes = false;   ///< It went to the end, all criteria met.
-  bool cheaper = false;  ///< It saves more of the step's time than time_noise.
+  double time_noise = 0;  ///< Part of a step's time that the disturbed reference saved or cost.
+  bool passes = false;    ///< It went to the end, all criteria met.
+  bool cheaper = false;   ///< It saves more of a step's time than time_noise.
 };
 
 /// Which models of a scene are enough.
 struct Study {
   StudyPlan plan;
-  double horizon = 0;  ///< s, up to which simulations are compared.
-  ModelRow reference;
-  ModelRow disturbed;                   ///< The reference again, its error the noise floor,
-  double time_noise = 0;                ///< and the largest share of time that it saves or costs.
+  double horizon = 0;                   ///< s, up to which simulations are compared.
+  ModelRow reference;                   ///< In the rounds of single rungs.
+  ModelRow disturbed;                   ///< The reference again: its error is the noise floor.
   std::vector<ModelRow> rows;           ///< Each axis alone, then combinations.
   std::optional<std::size_t> cheapest;  ///< The row that passes and saves most.
 };
