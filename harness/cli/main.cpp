@@ -19,9 +19,9 @@
 namespace lcp::cli {
 namespace {
 
-/// Freed memory stays with the process. Otherwise a step with large matrices hands its pages back and
-/// faults them in again, which may take longer than its arithmetic, and how often that happens depends on
-/// where blocks happen to lie: times of equal work differ.
+/// Freed memory stays with the process. Otherwise a step with large matrices hands its pages back
+/// and faults them in again, which may take longer than its arithmetic, and how often that happens
+/// depends on where blocks happen to lie: times of equal work differ.
 void keep_freed_memory() {
   constexpr int kept = 1 << 30;  // bytes
   mallopt(M_MMAP_THRESHOLD, kept);

@@ -53,8 +53,8 @@ struct ModelLadder {
 ///                 tolerance 1e-8 to 1e-2, and `solvers`
 ///
 /// An axis whose knob stands in `scene` is kept as it is there, and so is friction without any.
-/// Without `dt` the reference has the scene's own. Throws std::invalid_argument on an unknown scene, knob or solver, and
-/// on `dt` for a scene that was given its own.
+/// Without `dt` the reference has the scene's own. Throws std::invalid_argument on an unknown scene,
+/// knob or solver, and on `dt` for a scene that was given its own.
 ModelLadder make_ladder(const std::string& scene, const std::string& reference_solver,
                         const std::vector<std::string>& solvers, std::optional<double> dt = {});
 

@@ -199,7 +199,7 @@ class Studied {
     }
     const ModelRow disturbed =
         row_of(reference_model_, "disturbed", first[1], rounds[1], rounds[0]);
-    if (study_.rows.empty()) {
+    if (study_.rows.empty()) {  // the rounds of single rungs
       study_.reference = row_of(reference_model_, "reference", first[0], rounds[0], rounds[0]);
       study_.disturbed = disturbed;
     }
