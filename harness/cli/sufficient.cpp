@@ -191,8 +191,9 @@ Verb add_sufficient(CLI::App& program) {
                    "New directory for sufficient.txt, .csv, .json, .svg and env.json");
   page->footer(
       "Each axis (friction, contacts, inactive contacts, contact matrix, time step, solver) is "
-      "varied alone, then what passes and saves most of each together. Judged against the richest "
-      "model by what bodies do, not by residuals.\n"
+      "varied alone, then what passes and saves most of each together; where that fails, axes are "
+      "added to the best one by one. Judged against the richest model by what bodies do, not by "
+      "residuals.\n"
       "Example:\n"
       "  lcpbench sufficient squat --duration 300ms\n"
       "  lcpbench sufficient hoist:links=12 --force 5 --solver lexicographic-revised --out "
