@@ -7,7 +7,7 @@
 #include "harness/cli/quantity.h"
 #include "harness/cli/verbs.h"
 #include "harness/runs/history.h"
-#include "harness/suites.h"
+#include "harness/studies/suites.h"
 #include "problems/scenes/scene.h"
 #include "solvers/registry.h"
 

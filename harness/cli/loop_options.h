@@ -4,7 +4,7 @@
 #include <optional>
 #include <string>
 
-#include "harness/acceptance.h"
+#include "harness/judge/acceptance.h"
 
 namespace lcp::cli {
 

@@ -10,10 +10,12 @@
 #include "harness/cli/reading.h"
 #include "harness/cli/start.h"
 #include "harness/cli/verbs.h"
-#include "harness/progress.h"
+#include "harness/cli/progress.h"
 #include "harness/runs/history.h"
 #include "harness/runs/run_directory.h"
-#include "harness/suites.h"
+#include "harness/studies/suites.h"
+#include "harness/studies/sheet/sheet_files.h"
+#include "harness/studies/table/table.h"
 
 namespace lcp::cli {
 

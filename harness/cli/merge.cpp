@@ -6,6 +6,8 @@
 #include <memory>
 
 #include "harness/cli/verbs.h"
+#include "harness/studies/sheet/sheet_files.h"
+#include "harness/studies/table/table.h"
 
 namespace lcp::cli {
 

@@ -1,4 +1,4 @@
-#include "harness/replay/replay.h"
+#include "harness/studies/replay/replay.h"
 
 #include <fmt/format.h>
 
@@ -11,8 +11,8 @@
 #include "harness/cli/reading.h"
 #include "harness/cli/start.h"
 #include "harness/cli/verbs.h"
-#include "harness/progress.h"
-#include "harness/replay/render.h"
+#include "harness/cli/progress.h"
+#include "harness/studies/replay/render.h"
 
 namespace lcp::cli {
 

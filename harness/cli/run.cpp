@@ -3,7 +3,7 @@
 
 #include "harness/cli/measurement.h"
 #include "harness/cli/verbs.h"
-#include "harness/suites.h"
+#include "harness/studies/suites.h"
 
 namespace lcp::cli {
 

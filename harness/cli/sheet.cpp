@@ -1,4 +1,4 @@
-#include "harness/sheet/sheet.h"
+#include "harness/studies/sheet/sheet.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -7,7 +7,7 @@
 #include <map>
 #include <memory>
 
-#include "harness/charts/sheet_files.h"
+#include "harness/studies/sheet/sheet_files.h"
 #include "harness/cli/verbs.h"
 #include "harness/runs/run_directory.h"
 

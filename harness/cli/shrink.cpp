@@ -1,4 +1,4 @@
-#include "harness/shrink/shrink.h"
+#include "harness/studies/shrink/shrink.h"
 
 #include <fmt/format.h>
 
@@ -12,7 +12,7 @@
 #include "harness/cli/quantity.h"
 #include "harness/cli/reading.h"
 #include "harness/cli/verbs.h"
-#include "harness/progress.h"
+#include "harness/cli/progress.h"
 #include "problems/io/errors.h"
 #include "problems/io/load.h"
 

@@ -9,9 +9,9 @@
 #include "harness/cli/reading.h"
 #include "harness/cli/start.h"
 #include "harness/cli/verbs.h"
-#include "harness/judge.h"
-#include "harness/runs/record.h"
-#include "harness/trace.h"
+#include "harness/judge/judge.h"
+#include "harness/record.h"
+#include "harness/studies/trace.h"
 
 namespace lcp::cli {
 

@@ -1,4 +1,4 @@
-#include "harness/sweep.h"
+#include "harness/studies/sweep.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>

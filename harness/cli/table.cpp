@@ -1,4 +1,4 @@
-#include "harness/tables/table.h"
+#include "harness/studies/table/table.h"
 
 #include <fmt/format.h>
 

@@ -3,7 +3,7 @@
 #include <map>
 #include <string>
 
-#include "harness/tables/table.h"
+#include "harness/studies/table/table.h"
 
 namespace lcp::cli {
 

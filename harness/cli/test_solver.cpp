@@ -4,7 +4,7 @@
 #include <memory>
 
 #include "harness/cli/verbs.h"
-#include "harness/laws/laws.h"
+#include "harness/studies/laws/laws.h"
 
 namespace lcp::cli {
 

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "harness/measure/solve.h"
-#include "harness/runs/record.h"
+#include "harness/record.h"
 #include "solvers/registry.h"
 
 namespace lcp {

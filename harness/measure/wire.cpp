@@ -2,7 +2,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "harness/runs/record.h"
+#include "harness/record.h"
 
 namespace lcp {
 

@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-#include "harness/file_descriptor.h"
+#include "problems/io/file_descriptor.h"
 #include "solvers/result.h"
 
 namespace lcp {

@@ -6,7 +6,7 @@
 #include <memory>
 #include <stdexcept>
 
-#include "harness/suites.h"
+#include "harness/studies/suites.h"
 #include "problems/scenes/scene.h"
 
 namespace lcp {

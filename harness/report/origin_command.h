@@ -3,7 +3,7 @@
 #include <optional>
 #include <string>
 
-#include "harness/runs/record.h"
+#include "harness/record.h"
 #include "harness/runs/settings.h"
 
 namespace lcp {

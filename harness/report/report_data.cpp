@@ -11,7 +11,7 @@
 
 #include "harness/report/origin_command.h"
 #include "harness/runs/run_directory.h"
-#include "harness/tables/table.h"
+#include "harness/studies/table/table.h"
 #include "problems/io/errors.h"
 
 namespace lcp {

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "harness/runs/record.h"
+#include "harness/record.h"
 #include "harness/runs/settings.h"
 
 namespace lcp {

@@ -3,7 +3,7 @@
 #include <fmt/format.h>
 
 #include "harness/report/bundle.h"  // Written by embed_bundle.cmake at every change.
-#include "harness/tables/escaping.h"
+#include "harness/present/escaping.h"
 
 namespace lcp {
 

@@ -7,7 +7,7 @@
 #include <stdexcept>
 #include <tuple>
 
-#include "harness/judge.h"
+#include "harness/judge/judge.h"
 
 namespace lcp {
 

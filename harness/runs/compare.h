@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "harness/runs/record.h"
+#include "harness/record.h"
 
 namespace lcp {
 

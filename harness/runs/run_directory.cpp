@@ -10,8 +10,8 @@
 #include <stdexcept>
 #include <system_error>
 
-#include "harness/charts/sheet_files.h"
 #include "harness/measure/environment.h"
+#include "harness/runs/rows.h"
 #include "problems/io/errors.h"
 #include "problems/io/replace_file.h"
 
@@ -325,23 +325,6 @@ std::vector<Record> read_run(const fs::path& directory) {
   std::vector<Record> rows = read_rows(directory);
   if (fs::exists(directory / "run.json")) sort_rows(rows, read_settings(directory).solvers);
   return rows;
-}
-
-Table write_tables(const fs::path& directory) {
-  const Table table = make_table(read_run(directory));
-  const auto write = [&](const char* name, TableFormat format) {
-    replace_file((directory / name).string(), render(table, format));
-  };
-  write("table.txt", TableFormat::text);
-  write("table.csv", TableFormat::csv);
-  write("table.json", TableFormat::json);
-  return table;
-}
-
-Sheet write_sheet(const fs::path& directory, const SheetOptions& options, const fs::path& out) {
-  const Sheet sheet = make_sheet(read_run(directory), options);
-  write_sheet(sheet, out);
-  return sheet;
 }
 
 }  // namespace lcp

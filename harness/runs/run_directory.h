@@ -6,8 +6,6 @@
 
 #include "harness/measure/runner.h"
 #include "harness/runs/settings.h"
-#include "harness/sheet/sheet.h"
-#include "harness/tables/table.h"
 
 namespace lcp {
 
@@ -114,14 +112,5 @@ void write_stored_run(const StoredRun& run);
 /// Rows of a run directory in the order of read_stored_run; in file order where there is no
 /// run.json. Throws UnreadableInput where they are missing or malformed.
 std::vector<Record> read_run(const std::filesystem::path& directory);
-
-/// Writes table.txt, table.csv and table.json from the rows of a run directory, and returns the
-/// table. Throws UnreadableInput and UnwritableOutput.
-Table write_tables(const std::filesystem::path& directory);
-
-/// Makes the sheet of a run directory and writes it and its pictures into `out` (see write_sheet).
-/// Throws as read_run, make_sheet and write_sheet do.
-Sheet write_sheet(const std::filesystem::path& directory, const SheetOptions& options,
-                  const std::filesystem::path& out);
 
 }  // namespace lcp

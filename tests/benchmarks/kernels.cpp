@@ -6,7 +6,7 @@
 
 #include <map>
 
-#include "harness/judge.h"
+#include "harness/judge/judge.h"
 #include "problems/contact/friction_lcp.h"
 #include "problems/registry.h"
 #include "solvers/linalg/basis.h"

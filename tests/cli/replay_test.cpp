@@ -11,7 +11,7 @@ namespace {
 class ReplayCli : public ProgramTest {
  protected:
   void SetUp() override {
-    // tests/harness/replay/rounded_zero.h
+    // tests/harness/studies/replay/rounded_zero.h
     write_text(file("zero.json"),
                R"({"name": "zero", "M": [[0.5, 1, 0], [-48.5, 0, 0], [-48.5, 0, 0]],)"
                R"( "q": [-1, 48, 48]})");

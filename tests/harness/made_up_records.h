@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "harness/runs/record.h"
+#include "harness/record.h"
 
 namespace lcp {
 

@@ -1,4 +1,4 @@
-#include "harness/stability/frontier.h"
+#include "harness/studies/frontier/frontier.h"
 
 #include <fmt/format.h>
 
@@ -11,9 +11,9 @@
 #include "harness/cli/measurement.h"
 #include "harness/cli/quantity.h"
 #include "harness/cli/stability/parts.h"
-#include "harness/progress.h"
-#include "harness/stability/frontier_chart.h"
-#include "harness/stability/frontier_render.h"
+#include "harness/cli/progress.h"
+#include "harness/studies/frontier/frontier_chart.h"
+#include "harness/studies/frontier/frontier_render.h"
 #include "problems/io/replace_file.h"
 #include "solvers/options.h"
 

@@ -1,4 +1,4 @@
-#include "harness/stability/loop.h"
+#include "harness/studies/loop/loop.h"
 
 #include <fmt/format.h>
 
@@ -11,7 +11,7 @@
 #include "harness/cli/stability/parts.h"
 #include "harness/cli/table_formats.h"
 #include "harness/measure/environment.h"
-#include "harness/progress.h"
+#include "harness/cli/progress.h"
 #include "problems/io/replace_file.h"
 #include "problems/scenes/scene.h"
 #include "solvers/registry.h"

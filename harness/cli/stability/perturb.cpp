@@ -11,9 +11,9 @@
 #include "harness/cli/measurement.h"
 #include "harness/cli/quantity.h"
 #include "harness/cli/stability/parts.h"
-#include "harness/progress.h"
-#include "harness/stability/perturb_render.h"
-#include "harness/suites.h"
+#include "harness/cli/progress.h"
+#include "harness/studies/perturb/perturb_render.h"
+#include "harness/studies/suites.h"
 #include "problems/io/errors.h"
 #include "problems/io/replace_file.h"
 

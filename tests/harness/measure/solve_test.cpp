@@ -6,7 +6,7 @@
 #include <functional>
 #include <stdexcept>
 
-#include "harness/judge.h"
+#include "harness/judge/judge.h"
 #include "problems/contact/friction_lcp.h"
 
 namespace lcp {

@@ -1,3 +1,4 @@
+#include "harness/runs/rows.h"
 #include "harness/runs/run_directory.h"
 
 #include <fmt/format.h>

@@ -1,0 +1,27 @@
+#include "harness/present/curve.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace lcp {
+
+double LogRange::pixels(double value, double length) const {
+  return length * std::log(value / low) / std::log(high / low);
+}
+
+double LogRange::value(double at, double length) const {
+  return low * std::pow(high / low, at / length);
+}
+
+double Curve::share(double x) const {
+  if (counted == 0) return 0;
+  const auto risen = std::upper_bound(reached.begin(), reached.end(), x) - reached.begin();
+  return static_cast<double>(risen) / static_cast<double>(counted);
+}
+
+double Curve::unreached() const {
+  if (counted == 0) return 1;
+  return 1 - static_cast<double>(reached.size()) / static_cast<double>(counted);
+}
+
+}  // namespace lcp

@@ -1,0 +1,28 @@
+#pragma once
+
+#include <vector>
+
+#include "solvers/problem.h"
+
+namespace lcp {
+
+/// A logarithmic axis.
+struct LogRange {
+  double low = 1;
+  double high = 10;
+  /// Position of `value` on an axis of `length` pixels, and back.
+  double pixels(double value, double length) const;
+  double value(double at, double length) const;
+};
+
+/// A share that grows in steps: at the k-th value of `reached` it rises to k / counted.
+struct Curve {
+  Index counted = 0;
+  std::vector<double> reached;  ///< Ascending, finite.
+
+  double share(double x) const;
+  /// The part that never rises: 1 - the last step; 1 where nothing is counted.
+  double unreached() const;
+};
+
+}  // namespace lcp

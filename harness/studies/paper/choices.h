@@ -1,0 +1,41 @@
+#pragma once
+
+#include <atomic>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "harness/studies/paper/columns/loop_columns.h"
+#include "harness/studies/paper/reproduce.h"
+#include "harness/studies/table/table.h"
+
+namespace lcp {
+
+/// One thing that the paper leaves open, decided one way. All else is as in the first choice.
+struct Choice {
+  std::string what;       ///< Pivot tolerance, tie order, ...
+  std::string way;        ///< How it is decided.
+  std::string knobs;      ///< Of the scene: `key=value,...`; may be empty.
+  std::string solver;     ///< Spelling.
+  Acceptance acceptance;  ///< Residual 1e-6 unless the choice is about another.
+};
+
+const std::vector<Choice>& choices();
+
+/// Every choice in the loop of one scene.
+struct ChoiceTable {
+  std::string scene;
+  std::vector<LoopColumn> columns;  ///< As choices().
+};
+
+/// What each choice that the paper leaves open does to failures, nodes and violated contacts, in the
+/// loop of `squat` and of `tap-dance`. Computes what the directory does not hold yet, as reproduce
+/// does; empty when interrupted.
+std::optional<std::vector<ChoiceTable>> decide_each_way(const Reproduction& how,
+                                                        std::optional<double> duration,
+                                                        const std::atomic<bool>& interrupted);
+
+/// `text`, `csv`, `json` or `latex`, as the paper's tables.
+std::string render(const std::vector<ChoiceTable>& tables, TableFormat format);
+
+}  // namespace lcp

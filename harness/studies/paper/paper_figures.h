@@ -1,0 +1,53 @@
+#pragma once
+
+#include <atomic>
+#include <filesystem>
+#include <vector>
+
+#include "harness/studies/loop/in_the_loop.h"
+
+namespace lcp {
+
+/// Fig. 2 of the paper: simulates the scene (the paper's is `squat`) with the solver in the loop and
+/// writes fig2.{csv,svg,gp,dat} into `directory`, which is made where it is missing: the vertical
+/// force of each foot, and their sum against weight + m a (see write_force_figure). The curve that
+/// the paper measured is not public.
+///
+/// Returns the run. Interrupted, it has `broken` set and nothing is written; what ended by itself
+/// before its time is drawn as far as it came. Throws std::invalid_argument unless the scene has two
+/// handles, left foot first, and UnwritableOutput, before the simulation where that can be known.
+LoopRun write_figure_2(const std::filesystem::path& directory, const NamedScene& scene,
+                       const NamedSolver& solver, const Acceptance& acceptance,
+                       const FrameLook& look, const std::atomic<bool>& interrupted);
+
+/// Fig. 3, likewise (the paper's scene is `tap-dance`): fig3.{csv,svg,gp,dat} with eight moments of
+/// the dance, its turn over time and when each foot stands and strikes (see write_dance_figure).
+LoopRun write_figure_3(const std::filesystem::path& directory, const NamedScene& scene,
+                       const NamedSolver& solver, const Acceptance& acceptance,
+                       const FrameLook& look, const std::atomic<bool>& interrupted);
+
+/// A scene with the moments that a figure shows of it.
+struct FilmedScene {
+  NamedScene scene;
+  std::vector<double> times;  ///< s.
+  double azimuth = 0;         ///< Where the viewer stands, degrees from x towards y,
+  double elevation = 14;      ///< and above the horizon.
+  double height = 240;        ///< Of its pictures, pixels.
+};
+
+/// What the paper's Fig. 4 shows, from the top row.
+std::vector<FilmedScene> figure_4_scenes();
+
+/// Fig. 4: simulates each scene with the solver in the loop until its last moment, and writes
+/// fig4.{csv,svg,gp,dat} with a row of pictures per scene, without contacts; the data (.csv) are the
+/// link frames' origins at those moments.
+///
+/// Returns the runs, up to the interrupted one: then nothing is written. A scene that broke has the
+/// moments before. Throws std::invalid_argument when there is no scene or a moment is not within
+/// its duration, and UnwritableOutput, before the simulations where that can be known.
+std::vector<LoopRun> write_figure_4(const std::filesystem::path& directory,
+                                    std::vector<FilmedScene> filmed, const NamedSolver& solver,
+                                    const Acceptance& acceptance, const FrameLook& look,
+                                    const std::atomic<bool>& interrupted);
+
+}  // namespace lcp

@@ -1,0 +1,98 @@
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <limits>
+#include <stdexcept>
+
+#include "harness/studies/sheet/sheet.h"
+#include "harness/studies/table/table.h"
+
+namespace lcp {
+
+const std::vector<Measure>& all_measures() {
+  static const std::vector<Measure> all = {Measure::time, Measure::pivots, Measure::nodes,
+                                           Measure::factorisations};
+  return all;
+}
+
+std::string to_string(Measure measure) {
+  switch (measure) {
+    case Measure::time:
+      return "time";
+    case Measure::pivots:
+      return "pivots";
+    case Measure::nodes:
+      return "nodes";
+    case Measure::factorisations:
+      return "factorisations";
+  }
+  throw std::logic_error("measure without a name");
+}
+
+std::string printed(Measure measure) {
+  return measure == Measure::time ? "time (ms)" : to_string(measure);
+}
+
+Measure measure_from_string(const std::string& name) {
+  std::vector<std::string> names;
+  for (const Measure measure : all_measures()) {
+    if (to_string(measure) == name) return measure;
+    names.push_back(to_string(measure));
+  }
+  throw std::invalid_argument(
+      fmt::format("unknown measure '{}', known are: {}", name, fmt::join(names, ", ")));
+}
+
+Standing standing_of(const Record& record, double tolerance) {
+  switch (rejudge(record, tolerance)) {
+    case Verdict::unsupported:
+      return Standing::unsupported;
+    case Verdict::not_run:
+      return Standing::not_run;
+    case Verdict::solved:
+      return record.accuracy && record.accuracy->zero_residual <= tolerance ? Standing::trivial
+                                                                            : Standing::solved;
+    default:
+      return Standing::failed;
+  }
+}
+
+double cost_of(const Record& record, Measure measure) {
+  switch (measure) {
+    case Measure::time: {
+      const auto time = record.median_ns();
+      return time ? 1e-6 * static_cast<double>(*time) : std::numeric_limits<double>::infinity();
+    }
+    case Measure::pivots:
+      return static_cast<double>(record.work.pivots);
+    case Measure::nodes:
+      return static_cast<double>(record.work.nodes);
+    case Measure::factorisations:
+      return static_cast<double>(record.work.factorisations);
+  }
+  throw std::logic_error("measure without a cost");
+}
+
+void Mass::add(Standing standing) {
+  ++instances;
+  switch (standing) {
+    case Standing::solved:
+      ++solved;
+      return;
+    case Standing::failed:
+      ++failed;
+      return;
+    case Standing::trivial:
+      ++trivial;
+      return;
+    case Standing::unsupported:
+      ++unsupported;
+      return;
+    case Standing::not_run:
+      ++not_run;
+      return;
+  }
+}
+
+}  // namespace lcp

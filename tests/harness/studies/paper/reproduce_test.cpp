@@ -1,0 +1,149 @@
+#include "harness/studies/paper/reproduce.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <filesystem>
+#include <map>
+#include <nlohmann/json.hpp>
+
+#include "harness/studies/paper/table_pictures.h"
+#include "problems/io/errors.h"
+#include "solvers/registry.h"
+#include "tests/harness/temporary_directory.h"
+
+namespace lcp {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// Two columns of Table I on a few milliseconds of squat.
+PaperPlan small_plan() {
+  PaperPlan plan = paper_plan(1, false);
+  plan.scene = "squat:points=8";
+  plan.beside.reset();
+  std::erase_if(plan.columns, [](const PaperColumn& column) {
+    return column.name != "lemke" && column.name != "best-first";
+  });
+  plan.duration = 0.005;
+  return plan;
+}
+
+class Reproduce : public testing::Test {
+ protected:
+  std::optional<PaperTable> run(const PaperPlan& plan = small_plan()) {
+    return reproduce(plan, how(), interrupted_);
+  }
+  std::vector<std::string> missing() { return missing_work(small_plan(), how()); }
+  Reproduction how() {
+    Reproduction reproduction;
+    reproduction.directory = path();
+    return reproduction;
+  }
+  fs::path path() const { return directory_.file("table1"); }
+  /// When each simulation's file was written.
+  std::map<fs::path, fs::file_time_type> written() const {
+    std::map<fs::path, fs::file_time_type> times;
+    for (const fs::directory_entry& entry : fs::recursive_directory_iterator(path() / "loop"))
+      if (entry.path().extension() == ".json") times[entry.path()] = entry.last_write_time();
+    return times;
+  }
+  std::atomic<bool> interrupted_ = false;
+
+ private:
+  TemporaryDirectory directory_;
+};
+
+TEST_F(Reproduce, SetsTheTableTogether) {
+  const PaperTable table = run().value();
+  ASSERT_EQ(table.in_loop.size(), 2u);
+  EXPECT_EQ(table.in_loop[1].question.solver, "best-first");
+  EXPECT_EQ(table.in_loop[1].summary.total_frames, 4) << "in the first frame nothing touches";
+  EXPECT_EQ(table.in_loop[1].summary.failure, 0);
+  const CorpusColumn* ours = find_column(table.by_residual, "squat:points=8", "best-first");
+  ASSERT_NE(ours, nullptr);
+  for (const TableFormat format :
+       {TableFormat::text, TableFormat::csv, TableFormat::json, TableFormat::latex})
+    EXPECT_NE(render(table, format).find("lemke"), std::string::npos);
+  const nlohmann::json json = nlohmann::json::parse(render(table, TableFormat::json));
+  bool found = false;
+  for (const nlohmann::json& row : json.at("rows"))
+    if (row.at("solver") == "lemke" && row.at("mode") == "in-loop") {
+      found = true;
+      EXPECT_EQ(row.at("published").at("success"), 506);
+    }
+  EXPECT_TRUE(found);
+}
+
+TEST_F(Reproduce, ThePictureShowsPublishedAndMeasuredOfEveryRow) {
+  const PaperTable table = run().value();
+  const DotPage page = picture_of(table);
+  EXPECT_EQ(page.panels.size(), table.plan.rows.size());
+  ASSERT_EQ(page.legend,
+            (std::vector<std::string>{"published", "in the loop", "on corpus", "at 1e-6"}));
+  for (const DotPanel& panel : page.panels) {
+    if (panel.title != "success") continue;
+    ASSERT_EQ(panel.series.size(), 4u);
+    EXPECT_EQ(panel.series[0].values[0], 506) << "of lemke";
+    EXPECT_TRUE(std::isnan(panel.series[0].values[1])) << "best-first has no published value";
+    EXPECT_EQ(panel.series[1].values[1], 4) << "of best-first, in the loop";
+  }
+}
+
+TEST_F(Reproduce, ComputesOnlyWhatIsMissing) {
+  EXPECT_EQ(missing().size(), 4u) << "two simulations, the corpus, rows on it";
+  run();
+  EXPECT_TRUE(missing().empty());
+  const auto before = written();
+  ASSERT_EQ(before.size(), 2u);
+  run();
+  EXPECT_EQ(written(), before);
+  fs::remove(before.begin()->first);
+  run();
+  const auto after = written();
+  ASSERT_EQ(after.size(), 2u);
+  EXPECT_NE(after.begin()->second, before.begin()->second);
+  EXPECT_EQ(after.rbegin()->second, before.rbegin()->second);
+}
+
+TEST_F(Reproduce, DoesNotUseACorpusThatIsNotComplete) {
+  run();
+  fs::remove(path() / "corpus.json");
+  const std::vector<std::string> work = missing();
+  ASSERT_FALSE(work.empty());
+  EXPECT_NE(work.front().find("corpus"), std::string::npos) << work.front();
+  EXPECT_TRUE(run().has_value());
+}
+
+TEST_F(Reproduce, RefusesWhatAnotherCommitBegan) {
+  run();
+  for (const fs::directory_entry& entry : fs::directory_iterator(path())) {
+    if (!entry.path().filename().string().starts_with("env-")) continue;
+    nlohmann::json environment = nlohmann::json::parse(read_text(entry.path()));
+    environment["commit"] = "0123abc";
+    write_text(entry.path(), environment.dump());
+  }
+  try {
+    run();
+    FAIL() << "expected a refusal";
+  } catch (const std::invalid_argument& error) {
+    EXPECT_NE(std::string(error.what()).find("0123abc"), std::string::npos) << error.what();
+    EXPECT_NE(std::string(error.what()).find("--out"), std::string::npos) << error.what();
+  }
+}
+
+TEST_F(Reproduce, InterruptedHandsBackNothing) {
+  interrupted_ = true;
+  EXPECT_FALSE(run().has_value());
+  interrupted_ = false;
+  EXPECT_TRUE(run().has_value());
+}
+
+TEST_F(Reproduce, DamagedFilesAreOneClearError) {
+  run();
+  write_text(written().begin()->first, "{");
+  EXPECT_THROW(run(), UnreadableInput);
+}
+
+}  // namespace
+}  // namespace lcp
