@@ -8,6 +8,7 @@
 #include <stdexcept>
 
 #include "harness/measure/worker.h"
+#include "harness/judge/judge.h"
 #include "harness/observed_quantile.h"
 #include "solvers/peers/outside_call.h"
 
