@@ -144,23 +144,15 @@ Accuracy measure(const Problem& problem, const Result& result) {
           .backward_error = backward_error(problem, z, membership(problem, result, of_z.w), of_z)};
 }
 
-Judgement judge(const Instance& instance, const Result& result, double tolerance) {
+Judgement judge(const Instance& instance, const Result& result, const Acceptance& acceptance) {
   const Accuracy accuracy = measure(instance.problem, result);
-  const bool passed = accuracy.residual <= tolerance;
-  const bool trivial = accuracy.zero_residual <= tolerance;
-  const bool failure_claimed = result.claim != Claim::solved && result.claim != Claim::unsupported;
-  Verdict verdict;
-  switch (result.claim) {
-    case Claim::solved:
-      verdict = passed ? Verdict::solved : Verdict::wrong;
-      break;
-    case Claim::infeasible:
-      verdict = judge_infeasible(instance, result, passed || trivial, tolerance);
-      break;
-    default:  // Every other claim stands as it is, under the same name.
-      verdict = verdict_from_string(to_string(result.claim));
-  }
-  return {verdict, failure_claimed && passed, trivial, accuracy};
+  Verdict verdict = verdict_from_string(to_string(result.claim));  // Most claims stand as they are.
+  if (result.claim == Claim::infeasible)
+    verdict = judge_infeasible(
+        instance, result,
+        accuracy.residual <= acceptance.tolerance || accuracy.zero_residual <= acceptance.tolerance,
+        acceptance.tolerance);
+  return {judged(result.claim, verdict, accuracy, acceptance, acceptance.tolerance), accuracy};
 }
 
 bool proves_infeasible(const Problem& problem, const VectorXd& y, double tolerance) {

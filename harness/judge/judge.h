@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include "harness/judge/acceptance.h"
 #include "harness/record.h"
 #include "problems/instance.h"
 #include "solvers/result.h"
@@ -16,18 +17,21 @@ double zero_residual(const Problem& problem);
 /// is malformed (see check).
 Accuracy measure(const Problem& problem, const Result& result);
 
-struct Judgement {
-  Verdict verdict;
-  bool unclaimed;  ///< Claims a failure (not `unsupported`) while its z passes.
-  bool trivial;    ///< z = 0 passes: kept apart, not counted as success.
+/// What an answer comes to, with its figures.
+struct Judgement : Judged {
   Accuracy accuracy;
 };
 
-/// Judges one answer. z passes when its residual is <= tolerance (dimensionless). A claim of
-/// `infeasible` is false-infeasible when any z is known that passes (the instance's known solution,
-/// z = 0, or the z of the answer itself), infeasible when its certificate proves it (see
-/// proves_infeasible, same tolerance), and wrong otherwise. Throws as measure does.
-Judgement judge(const Instance& instance, const Result& result, double tolerance);
+/// Judges one answer by a criterion. A claim of `infeasible` is false-infeasible when any z is known
+/// that passes (the instance's known solution, z = 0, or the z of the answer itself), infeasible when
+/// its certificate proves it (see proves_infeasible, same tolerance), and wrong otherwise. Throws as
+/// measure does.
+Judgement judge(const Instance& instance, const Result& result, const Acceptance& acceptance);
+
+/// The same by the natural residual.
+inline Judgement judge(const Instance& instance, const Result& result, double tolerance) {
+  return judge(instance, result, {Acceptance::Criterion::residual, tolerance});
+}
 
 /// True when y >= 0 exactly, M'y <= tolerance |M|'y in every component, and
 /// q'y < -tolerance |q|'y, all in __float128; false for a y that is no vector of n finite numbers.

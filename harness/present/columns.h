@@ -48,8 +48,9 @@ CellTable cells_of(const std::vector<Column<Row>>& columns, const Rows& rows) {
 
 /// The row as an object, by the keys of its columns; with the keys of `object` before them.
 template <class Row>
-nlohmann::ordered_json json_object(const std::vector<Column<Row>>& columns, const Row& row,
-                                   nlohmann::ordered_json object = nlohmann::ordered_json::object()) {
+nlohmann::ordered_json json_object(
+    const std::vector<Column<Row>>& columns, const Row& row,
+    nlohmann::ordered_json object = nlohmann::ordered_json::object()) {
   for (const Column<Row>& column : columns)
     if (!column.key.empty()) object[column.key] = column.value(row);
   return object;
@@ -69,10 +70,10 @@ std::string csv_rows(const CellTable& table);
 
 /// How a terminal shows a table.
 struct TextStyle {
-  std::string indent = {};     ///< Before every line.
-  std::size_t width = 100;     ///< Letters of a line at most; what does not fit is folded.
-  std::size_t widest = 44;     ///< A longer first cell stands on a line of its own.
-  std::string empty = "-";     ///< For null.
+  std::string indent = {};  ///< Before every line.
+  std::size_t width = 100;  ///< Letters of a line at most; what does not fit is folded.
+  std::size_t widest = 44;  ///< A longer first cell stands on a line of its own.
+  std::string empty = "-";  ///< For null.
 };
 
 /// The columns with a heading, each as wide as its widest cell; the first is the name of the row and

@@ -3,6 +3,8 @@
 #include <filesystem>
 #include <string>
 
+#include "harness/present/figure.h"
+
 namespace lcp {
 
 /// A page that gnuplot draws on white.
@@ -18,11 +20,6 @@ struct GnuplotPage {
 /// restyled: `gnuplot F.gp > F.svg`. Throws UnwritableOutput where they cannot be written or gnuplot
 /// is missing or fails; `svg` is then left as it was.
 void draw_with_gnuplot(const std::filesystem::path& svg, const GnuplotPage& page);
-
-/// A rectangle on a page, pixels from its upper left corner.
-struct PageArea {
-  double left, width, top, height;
-};
 
 /// Commands that put the next plot's axes exactly there.
 std::string gnuplot_margins(const PageArea& area, double page_width, double page_height);
