@@ -8,6 +8,7 @@
 #include <ctime>
 #include <numbers>
 
+#include "harness/judge/judge.h"
 #include "harness/measure/solve.h"
 #include "problems/contact/islands.h"
 
@@ -60,12 +61,7 @@ Judgement judge_by(const Acceptance& acceptance, const Problem& problem, const R
                           .active_contacts = {},
                           .previous = {},
                           .sha256 = {}};
-  Judgement judgement = judge(instance, result, acceptance.tolerance);
-  if (result.claim == Claim::solved) {
-    const double error = error_of(judgement.accuracy, acceptance.criterion);
-    judgement.verdict = error <= acceptance.tolerance ? Verdict::solved : Verdict::wrong;
-  }
-  return judgement;
+  return judge(instance, result, acceptance);
 }
 
 /// The angle nearest to `before` that stands for the same direction as `angle`.

@@ -8,9 +8,9 @@
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 
-#include "harness/studies/loop/tracked_runs.h"
 #include "harness/observed_quantile.h"
 #include "harness/present/escaping.h"
+#include "harness/studies/loop/tracked_runs.h"
 
 namespace lcp {
 

@@ -8,8 +8,8 @@
 #include <string>
 #include <vector>
 
-#include "harness/studies/loop/drift.h"
 #include "harness/measure/runner.h"
+#include "harness/studies/loop/drift.h"
 #include "harness/studies/table/table.h"
 
 namespace lcp {

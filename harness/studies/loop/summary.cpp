@@ -18,26 +18,25 @@ constexpr double kAveraged = 0.02;  // s, over which forces and accelerations ar
 
 double mean(double sum, Index count) { return count > 0 ? sum / static_cast<double>(count) : 0; }
 
-bool in(Verdict verdict, std::initializer_list<Verdict> group) {
-  return std::find(group.begin(), group.end(), verdict) != group.end();
-}
-
 void count(const FrameRecord& frame, LoopSummary& summary) {
   ++summary.total_frames;
-  if (frame.frictional == Verdict::solved) {
-    ++summary.success;
-  } else if (frame.frictional == Verdict::unsupported) {
-    ++summary.unsupported;
-  } else {
-    ++summary.failure;
-    if (in(frame.frictional,
-           {Verdict::ray, Verdict::exhausted, Verdict::infeasible, Verdict::false_infeasible}))
+  const Judged judged{frame.frictional};
+  switch (judged.standing()) {
+    case Standing::no_solution:
       ++summary.no_solution;
-    else if (in(frame.frictional, {Verdict::cycle, Verdict::limit}))
+      break;
+    case Standing::cycle:
       ++summary.cycle;
-    else
+      break;
+    case Standing::error:
       ++summary.error;
+      break;
+    default:
+      break;
   }
+  summary.success += judged.success();
+  summary.failure += judged.failure();
+  summary.unsupported += judged.verdict == Verdict::unsupported;
   if (frame.frictionless != Verdict::solved) ++summary.frictionless_failures;
   if (frame.applied == Applied::none) ++summary.both_failures;
   summary.restarts += frame.work.restarts;

@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
-#include "harness/studies/loop/track.h"
 #include "harness/measure/runner.h"
+#include "harness/studies/loop/track.h"
 
 namespace lcp {
 

@@ -2,9 +2,9 @@
 
 #include <stdexcept>
 
+#include "harness/present/gnuplot.h"
 #include "harness/studies/sheet/chart_panels.h"
 #include "harness/studies/sheet/chart_script.h"
-#include "harness/present/gnuplot.h"
 #include "problems/io/replace_file.h"
 
 namespace lcp {

@@ -12,7 +12,7 @@ struct Entry {
   const Record* record;
   std::size_t setting;
   std::size_t instance;
-  Standing standing;
+  Judged judged;
   double cost;
 };
 

@@ -106,7 +106,7 @@ std::vector<Ladder> make_ladders(const std::vector<Entry>& entries,
                                  const std::vector<SheetRow>& rows) {
   std::map<std::size_t, Solved> solved;  // by setting
   for (const Entry& entry : entries)
-    if (entry.standing == Standing::solved) solved[entry.setting][entry.instance] = &entry;
+    if (entry.judged.success()) solved[entry.setting][entry.instance] = &entry;
 
   std::vector<Ladder> ladders;
   for (const auto& [name, family] : families(entries, rows)) {

@@ -6,7 +6,6 @@
 #include <stdexcept>
 
 #include "harness/studies/sheet/sheet.h"
-#include "harness/studies/table/table.h"
 
 namespace lcp {
 
@@ -44,20 +43,6 @@ Measure measure_from_string(const std::string& name) {
       fmt::format("unknown measure '{}', known are: {}", name, fmt::join(names, ", ")));
 }
 
-Standing standing_of(const Record& record, double tolerance) {
-  switch (rejudge(record, tolerance)) {
-    case Verdict::unsupported:
-      return Standing::unsupported;
-    case Verdict::not_run:
-      return Standing::not_run;
-    case Verdict::solved:
-      return record.accuracy && record.accuracy->zero_residual <= tolerance ? Standing::trivial
-                                                                            : Standing::solved;
-    default:
-      return Standing::failed;
-  }
-}
-
 double cost_of(const Record& record, Measure measure) {
   switch (measure) {
     case Measure::time: {
@@ -74,25 +59,13 @@ double cost_of(const Record& record, Measure measure) {
   throw std::logic_error("measure without a cost");
 }
 
-void Mass::add(Standing standing) {
+void Mass::add(const Judged& judged) {
   ++instances;
-  switch (standing) {
-    case Standing::solved:
-      ++solved;
-      return;
-    case Standing::failed:
-      ++failed;
-      return;
-    case Standing::trivial:
-      ++trivial;
-      return;
-    case Standing::unsupported:
-      ++unsupported;
-      return;
-    case Standing::not_run:
-      ++not_run;
-      return;
-  }
+  solved += judged.success();
+  failed += judged.failure();
+  trivial += judged.standing() == Standing::trivial;
+  unsupported += judged.verdict == Verdict::unsupported;
+  not_run += judged.verdict == Verdict::not_run;
 }
 
 }  // namespace lcp

@@ -3,8 +3,8 @@
 #include <cstdlib>
 #include <nlohmann/json.hpp>
 
-#include "harness/studies/sheet/render.h"
 #include "harness/present/escaping.h"
+#include "harness/studies/sheet/render.h"
 #include "solvers/options.h"
 
 namespace lcp {

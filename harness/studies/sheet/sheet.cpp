@@ -65,8 +65,7 @@ double tolerance_of(const std::vector<Record>& records, const SheetOptions& opti
 std::set<std::string> rows_without(Measure measure, const std::vector<Record>& records) {
   std::set<std::string> answered, worked;
   for (const Record& record : records) {
-    if (record.accuracy && standing_of(record, record.tolerance) != Standing::unsupported)
-      answered.insert(record.row);
+    if (record.accuracy && record.verdict != Verdict::unsupported) answered.insert(record.row);
     if (cost_of(record, measure) > 0) worked.insert(record.row);
   }
   std::set<std::string> without;
@@ -144,9 +143,9 @@ Curve within(const std::vector<const Entry*>& entries, double accuracy) {
   Mass mass;
   std::vector<double> costs;
   for (const Entry* entry : entries) {
-    const Standing standing = standing_of(*entry->record, accuracy);
-    mass.add(standing);
-    if (standing == Standing::solved) costs.push_back(entry->cost);
+    const Judged at = judged(*entry->record, Acceptance{.tolerance = accuracy});
+    mass.add(at);
+    if (at.success()) costs.push_back(entry->cost);
   }
   return curve_of(mass.counted(), std::move(costs));
 }
@@ -156,7 +155,7 @@ Curve accuracy_in_time(const std::vector<const Entry*>& entries, Index counted, 
   std::vector<double> residuals;
   for (const Entry* entry : entries) {
     const Record& record = *entry->record;
-    const bool is_counted = entry->standing == Standing::solved || entry->standing == Standing::failed;
+    const bool is_counted = entry->judged.counted();
     if (is_counted && record.claim == Claim::solved && record.accuracy && entry->cost <= budget_ms)
       residuals.push_back(record.accuracy->residual);
   }
@@ -167,9 +166,9 @@ Curve accuracy_in_time(const std::vector<const Entry*>& entries, Index counted, 
 std::map<std::size_t, double> least_costs(const std::vector<Entry>& entries) {
   std::map<std::size_t, double> least;
   for (const Entry& entry : entries) {
-    if (entry.standing != Standing::solved && entry.standing != Standing::failed) continue;
+    if (!entry.judged.counted()) continue;
     double& cost = least.try_emplace(entry.instance, infinity).first->second;
-    if (entry.standing == Standing::solved) cost = std::min(cost, entry.cost);
+    if (entry.judged.success()) cost = std::min(cost, entry.cost);
   }
   return least;
 }
@@ -183,8 +182,8 @@ SheetRow make_row(const std::vector<const Entry*>& entries,
   row.setting = entries.front()->setting;
   std::vector<double> costs, residuals, ratios, least_of_same;
   for (const Entry* entry : entries) {
-    row.mass.add(entry->standing);
-    if (entry->standing != Standing::solved) continue;
+    row.mass.add(entry->judged);
+    if (!entry->judged.success()) continue;
     const double best = least.at(entry->instance);
     costs.push_back(entry->cost);
     residuals.push_back(entry->record->accuracy.value().residual);
@@ -272,7 +271,8 @@ Sheet make_sheet(const std::vector<Record>& records, const SheetOptions& options
     const std::size_t instance =
         instances.try_emplace({record.corpus, record.instance, record.place}, instances.size())
             .first->second;
-    entries.push_back({&record, number(record), instance, standing_of(record, sheet.tolerance),
+    entries.push_back({&record, number(record), instance,
+                       judged(record, Acceptance{.tolerance = sheet.tolerance}),
                        cost_of(record, options.measure)});
   }
   for (const Setting& setting : left_out) sheet.without_work.push_back(setting.label);

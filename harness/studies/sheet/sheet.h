@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "harness/judge/acceptance.h"
 #include "harness/present/curve.h"
 #include "harness/record.h"
 
@@ -14,7 +15,7 @@ namespace lcp {
 ///
 /// *Setting* s: a solver in full spelling, with what it starts from.
 /// *Group*: the instances of one corpus, or of all corpora together.
-/// *Standing* of a row at accuracy E, judged anew from its residual (rejudge in tables/table.h):
+/// *Standing* of a row at accuracy E, judged anew from its residual (judged() of the judge):
 /// `unsupported` or `not_run` as stored; `trivial`, where it is solved and z = 0 passes at E too;
 /// `solved`; every other verdict is `failed`.
 /// *Mass*: solved + failed + trivial + unsupported + not_run = rows of s in the group. A failure has
@@ -58,10 +59,6 @@ struct SheetOptions {
   double count_offset = 1;                        ///< o of ratios of counts; above 0.
 };
 
-enum class Standing { solved, failed, trivial, unsupported, not_run };
-
-Standing standing_of(const Record& record, double tolerance);
-
 /// Cost of a row; infinity where no time was sampled.
 double cost_of(const Record& record, Measure measure);
 
@@ -73,7 +70,7 @@ struct Mass {
   double share_solved() const {
     return counted() == 0 ? 0 : static_cast<double>(solved) / static_cast<double>(counted());
   }
-  void add(Standing standing);
+  void add(const Judged& judged);
 };
 
 /// Quartiles and median over the instances that a setting solved.

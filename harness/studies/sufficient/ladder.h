@@ -19,7 +19,7 @@ struct Rung {
 };
 
 /// One thing that a model can have more or less of: its rungs, richest first.
-struct Axis {
+struct ModelAxis {
   std::string name;
   std::vector<Rung> rungs;
 };
@@ -36,8 +36,8 @@ struct SceneModel {
 
 /// The ladders of models of a scene, and the scene with all that its axes do not vary.
 struct ModelLadder {
-  std::string scene;       ///< As asked for, full spelling.
-  std::vector<Axis> axes;  ///< Rung 0 of each is the reference's.
+  std::string scene;            ///< As asked for, full spelling.
+  std::vector<ModelAxis> axes;  ///< Rung 0 of each is the reference's.
   std::vector<std::string>
       kept;  ///< Axes that are not varied, as the scene was given a knob of theirs.
 };

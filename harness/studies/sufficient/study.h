@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
-#include "harness/studies/loop/drift.h"
 #include "harness/measure/runner.h"
+#include "harness/studies/loop/drift.h"
 #include "harness/studies/sufficient/ladder.h"
 
 namespace lcp {

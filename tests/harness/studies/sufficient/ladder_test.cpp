@@ -9,8 +9,8 @@
 namespace lcp {
 namespace {
 
-const Axis* find(const ModelLadder& ladder, const std::string& name) {
-  for (const Axis& axis : ladder.axes)
+const ModelAxis* find(const ModelLadder& ladder, const std::string& name) {
+  for (const ModelAxis& axis : ladder.axes)
     if (axis.name == name) return &axis;
   return nullptr;
 }
@@ -60,7 +60,7 @@ TEST(ModelLadder, AnotherFrictionCoefficientLeavesTheFrictionAxisAndNoneDoesNot)
 
 TEST(ModelLadder, AFinerReferenceHasTheScenesOwnStepAsARung) {
   const ModelLadder ladder = make_ladder("squat", "best-first", {}, 0.0005);
-  const Axis* steps = find(ladder, "time step");
+  const ModelAxis* steps = find(ladder, "time step");
   ASSERT_NE(steps, nullptr);
   std::vector<std::string> labels;
   for (const Rung& rung : steps->rungs) labels.push_back(rung.label);
@@ -72,7 +72,7 @@ TEST(ModelLadder, AFinerReferenceHasTheScenesOwnStepAsARung) {
 TEST(ModelLadder, SolversAskedForStandBelowTheLaddersOwnAndOnce) {
   const ModelLadder ladder =
       make_ladder("squat", "best-first", {"lexicographic-revised", "best-first"});
-  const Axis* solvers = find(ladder, "solver");
+  const ModelAxis* solvers = find(ladder, "solver");
   EXPECT_EQ(solvers->rungs.front().label, "best-first");
   EXPECT_EQ(solvers->rungs.back().label, "lexicographic-revised");
   EXPECT_EQ(std::count_if(solvers->rungs.begin(), solvers->rungs.end(),

@@ -18,7 +18,7 @@ inline StudyPlan plan_of(const std::string& scene, double duration, const std::s
                          const std::vector<std::string>& solvers = {}) {
   StudyPlan plan;
   plan.ladder = make_ladder(scene, reference, solvers);
-  for (Axis& each : plan.ladder.axes) {
+  for (ModelAxis& each : plan.ladder.axes) {
     std::vector<Rung> kept = {each.rungs.front()};
     for (const Rung& rung : each.rungs)
       if (each.name == axis && std::find(rungs.begin(), rungs.end(), rung.label) != rungs.end())
