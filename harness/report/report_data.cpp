@@ -286,7 +286,7 @@ Ordered report_data(const ReportedRun& run) {
   Gathered gathered = gather(run);
   Ordered verdicts = Ordered::array();
   for (const Verdict verdict : all_verdicts())
-    verdicts.push_back({{"name", to_string(verdict)}, {"column", column_name(verdict)}});
+    verdicts.push_back({{"name", to_string(verdict)}, {"column", to_string(Judged{verdict}.standing())}});
   return {{"name", run.name},
           {"program", report_program},
           {"settings", run.settings ? Ordered(json(*run.settings)) : Ordered()},

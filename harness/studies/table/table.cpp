@@ -14,52 +14,6 @@ namespace lcp {
 
 namespace {
 
-enum class Column { success, no_solution, cycle, error, unsupported, not_run };
-
-Column column_of(Verdict verdict) {
-  switch (verdict) {
-    case Verdict::solved:
-      return Column::success;
-    case Verdict::ray:
-    case Verdict::exhausted:
-    case Verdict::infeasible:
-    case Verdict::false_infeasible:
-      return Column::no_solution;
-    case Verdict::cycle:
-    case Verdict::limit:
-    case Verdict::timeout:
-      return Column::cycle;
-    case Verdict::wrong:
-    case Verdict::inaccurate:
-    case Verdict::singular:
-    case Verdict::crash:
-    case Verdict::memory:
-      return Column::error;
-    case Verdict::unsupported:
-      return Column::unsupported;
-    case Verdict::not_run:
-      return Column::not_run;
-  }
-  throw std::logic_error("verdict without a column");
-}
-
-/// A record at the tolerance of the table.
-struct Judged {
-  Verdict verdict;
-  bool unclaimed;
-  bool trivial;
-};
-
-Judged judged(const Record& record, const std::optional<Acceptance>& acceptance) {
-  if (!acceptance) return {record.verdict, record.unclaimed, record.trivial};
-  const Verdict verdict = rejudge(record, *acceptance);
-  if (acceptance->criterion == Acceptance::Criterion::paper) return {verdict, false, false};
-  if (!record.accuracy) return {verdict, record.unclaimed, record.trivial};
-  const bool claims_failure = record.claim != Claim::solved && verdict != Verdict::unsupported;
-  return {verdict, claims_failure && record.accuracy->residual <= acceptance->tolerance,
-          record.accuracy->zero_residual <= acceptance->tolerance};
-}
-
 class Mean {
  public:
   void add(double value) {
@@ -87,16 +41,10 @@ class Gathering {
       contacts_.add(static_cast<double>(record.contacts));
       if (record.active_contacts) active_.add(static_cast<double>(*record.active_contacts));
     }
-    const Column column = column_of(judged.verdict);
-    if (column == Column::unsupported) {
-      ++row.unsupported;
-    } else if (column == Column::not_run) {
-      ++row.not_run;
-    } else if (column == Column::success && judged.trivial) {
-      ++row.trivial;
-    } else {
-      add_counted(record, judged, column);
-    }
+    row.unsupported += judged.verdict == Verdict::unsupported;
+    row.not_run += judged.verdict == Verdict::not_run;
+    row.trivial += judged.standing() == Standing::trivial;
+    if (judged.counted()) add_counted(record, judged);
   }
 
   /// Counts what the start gave or took; `cold` is the same solver's cold row of the instance.
@@ -132,17 +80,18 @@ class Gathering {
   TableRow row;
 
  private:
-  void add_counted(const Record& record, const Judged& judged, Column column) {
-    if (column == Column::success) {
+  void add_counted(const Record& record, const Judged& judged) {
+    if (judged.success()) {
       ++row.success;
       if (const auto time = record.median_ns())
         times_ms_.push_back(1e-6 * static_cast<double>(*time));
       residuals_.push_back(record.accuracy.value().residual);
     } else {
       ++row.failure;
-      ++(column == Column::no_solution ? row.no_solution
-         : column == Column::cycle     ? row.cycle
-                                       : row.error);
+      const Standing column = judged.standing();
+      ++(column == Standing::no_solution ? row.no_solution
+         : column == Standing::cycle     ? row.cycle
+                                         : row.error);
     }
     if (judged.verdict == Verdict::wrong) ++row.wrong;
     if (judged.unclaimed) ++row.unclaimed;
@@ -162,39 +111,6 @@ std::string option_text(const nlohmann::json& value) {
 }
 
 }  // namespace
-
-std::string column_name(Verdict verdict) {
-  switch (column_of(verdict)) {
-    case Column::success:
-      return "success";
-    case Column::no_solution:
-      return "no_solution";
-    case Column::cycle:
-      return "cycle";
-    case Column::error:
-      return "error";
-    case Column::unsupported:
-      return "unsupported";
-    case Column::not_run:
-      return "not_run";
-  }
-  throw std::logic_error("column without a name");
-}
-
-Verdict rejudge(const Record& record, double tolerance) {
-  if (record.claim != Claim::solved || !record.accuracy) return record.verdict;
-  const double residual = record.accuracy->residual;
-  if (residual <= tolerance) return Verdict::solved;
-  return residual <= record.tolerance ? Verdict::inaccurate : Verdict::wrong;
-}
-
-Verdict rejudge(const Record& record, const Acceptance& acceptance) {
-  if (acceptance.criterion == Acceptance::Criterion::residual)
-    return rejudge(record, acceptance.tolerance);
-  if (record.claim != Claim::solved || !record.accuracy) return record.verdict;
-  return error_of(*record.accuracy, acceptance.criterion) <= acceptance.tolerance ? Verdict::solved
-                                                                                  : Verdict::wrong;
-}
 
 std::map<std::string, std::string> labels(const std::vector<Record>& records) {
   std::map<std::string, std::map<std::string, std::set<std::string>>> values;  // row, option

@@ -63,14 +63,6 @@ struct Table {
   int jobs = 1;  ///< Most pairs that ran at the same time: it disturbs times.
 };
 
-/// The verdict of a record at another tolerance, from its stored residual: a claim `solved` that
-/// passed at the tolerance of its run and fails at this one is `inaccurate`. Other claims keep theirs.
-Verdict rejudge(const Record& record, double tolerance);
-
-/// The verdict of a record by a criterion, from what it stores. By the paper's, a claim `solved` that
-/// fails is `wrong`.
-Verdict rejudge(const Record& record, const Acceptance& acceptance);
-
 /// Counts records; `tolerance` re-judges them, without it they are taken as judged. Throws
 /// std::invalid_argument when records were judged at different tolerances and none is given.
 Table make_table(const std::vector<Record>& records, std::optional<double> tolerance = {});
@@ -98,10 +90,6 @@ struct TableColumn {
 
 /// The quantities of a solver in their order, as `text` explains them below its blocks.
 std::vector<TableColumn> table_columns();
-
-/// The paper's column that a verdict counts in: success, no_solution, cycle, error, unsupported,
-/// not_run.
-std::string column_name(Verdict verdict);
 
 /// What a reader calls each solver among `records`, by full spelling: the spelling, with the options
 /// in which several settings of one registry row differ written out where they have their default,

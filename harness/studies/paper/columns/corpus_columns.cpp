@@ -120,9 +120,7 @@ std::size_t pairs(const std::vector<OpenPart>& open) {
 }
 
 bool failed(const Record& record, const Acceptance& acceptance) {
-  const Verdict verdict = rejudge(record, acceptance);
-  return verdict != Verdict::solved && verdict != Verdict::unsupported &&
-         verdict != Verdict::not_run;
+  return judged(record, acceptance).failure();
 }
 
 /// CORPUS and frame of a row, whatever its friction.

@@ -177,8 +177,8 @@ TEST(Table, LeavesEmptyWhatWasNotMeasured) {
 
 TEST(Table, JudgedBelowTheRunsToleranceCallsAPassedAnswerInaccurate) {
   const Record record = solved("c/0", "a", 1e-8);
-  EXPECT_EQ(rejudge(record, 1e-7), Verdict::solved);
-  EXPECT_EQ(rejudge(record, 1e-9), Verdict::inaccurate);
+  EXPECT_EQ(judged(record, Acceptance{.tolerance = 1e-7}).verdict, Verdict::solved);
+  EXPECT_EQ(judged(record, Acceptance{.tolerance = 1e-9}).verdict, Verdict::inaccurate);
   const TableRow row = make_table({record}, 1e-9).rows.front();
   EXPECT_EQ(row.error, 1);
   EXPECT_EQ(row.wrong, 0);
@@ -186,8 +186,8 @@ TEST(Table, JudgedBelowTheRunsToleranceCallsAPassedAnswerInaccurate) {
 
 TEST(Table, JudgedAboveTheRunsToleranceAcceptsWhatWasWrong) {
   const Record record = made_up("c/0", "a", Verdict::wrong, Claim::solved, 1e-4);
-  EXPECT_EQ(rejudge(record, 1e-5), Verdict::wrong);
-  EXPECT_EQ(rejudge(record, 1e-3), Verdict::solved);
+  EXPECT_EQ(judged(record, Acceptance{.tolerance = 1e-5}).verdict, Verdict::wrong);
+  EXPECT_EQ(judged(record, Acceptance{.tolerance = 1e-3}).verdict, Verdict::solved);
 }
 
 TEST(Table, JudgedAnewNeverTurnsAClaimOfFailureIntoSuccess) {
@@ -205,7 +205,9 @@ TEST(Table, JudgedAnewFindsTheInstancesThatZeroSolves) {
 }
 
 TEST(Table, ANanResidualIsNeverSolved) {
-  EXPECT_EQ(rejudge(made_up("c/0", "a", Verdict::wrong, Claim::solved, NAN), 1e300),
+  EXPECT_EQ(judged(made_up("c/0", "a", Verdict::wrong, Claim::solved, NAN),
+                   Acceptance{.tolerance = 1e300})
+                .verdict,
             Verdict::wrong);
 }
 
