@@ -6,15 +6,16 @@
 #include <iterator>
 
 #include "harness/cli/interrupt.h"
+#include "harness/cli/page.h"
+#include "harness/cli/progress.h"
 #include "harness/cli/quantity.h"
 #include "harness/cli/reading.h"
 #include "harness/cli/start.h"
 #include "harness/cli/verbs.h"
-#include "harness/cli/progress.h"
 #include "harness/runs/history.h"
 #include "harness/runs/run_directory.h"
-#include "harness/studies/suites.h"
 #include "harness/studies/sheet/sheet_files.h"
+#include "harness/studies/suites.h"
 #include "harness/studies/table/table.h"
 
 namespace lcp::cli {
@@ -53,21 +54,16 @@ void print_pairs(const RunPlan& plan) {
 }  // namespace
 
 void add_limits(CLI::App& page, Measurement& measurement) {
-  page.add_option("--tolerance", measurement.tolerance,
-                  "Largest natural residual (scaled) that counts as solved")
-      ->check(CLI::PositiveNumber)
-      ->capture_default_str();
-  page.add_option("--timeout", measurement.timeout, "Of one solve: number with ms, s or min")
-      ->capture_default_str();
-  page.add_option("--memory", measurement.memory,
-                  "Resident memory of a worker: number with KiB, MiB or GiB")
-      ->capture_default_str();
-  page.add_option("--jobs", measurement.jobs, "Pairs solved at the same time; disturbs the times")
-      ->check(CLI::Range(1, 1024))
-      ->capture_default_str();
-  page.add_option("--max-contacts", measurement.max_contacts,
-                  "Larger instances become not-run rows. Default: the suite's, or 60")
-      ->check(CLI::NonNegativeNumber);
+  add_with_default(page, "--tolerance", measurement.tolerance,
+                   "Largest natural residual (scaled) that counts as solved", CLI::PositiveNumber);
+  add_with_default(page, "--timeout", measurement.timeout,
+                   "Of one solve: number with ms, s or min");
+  add_with_default(page, "--memory", measurement.memory,
+                   "Resident memory of a worker: number with KiB, MiB or GiB");
+  add_with_default(page, "--jobs", measurement.jobs,
+                   "Pairs solved at the same time; disturbs the times", CLI::Range(1, 1024));
+  add(page, "--max-contacts", measurement.max_contacts,
+      "Larger instances become not-run rows. Default: the suite's, or 60", CLI::NonNegativeNumber);
 }
 
 void set_limits(RunPlan& plan, const Measurement& measurement) {
@@ -79,28 +75,26 @@ void set_limits(RunPlan& plan, const Measurement& measurement) {
 }
 
 void add_options(CLI::App& page, Measurement& measurement) {
-  CLI::Option* suite = page.add_option("--suite", measurement.suite,
-                                       "Suite of instances (see: lcpbench list suites)");
+  CLI::Option* suite =
+      add(page, "--suite", measurement.suite, "Suite of instances (see: lcpbench list suites)");
   page.add_option("--corpus", measurement.corpora,
                   "Instances instead of a suite: FILE, FILE#NAME or directory, repeatable")
       ->excludes(suite);
   add_reading_option(page, measurement.reading);
   add_start_option(page, measurement.starts);
   add_limits(page, measurement);
-  CLI::Option* limit =
-      page.add_option("--limit", measurement.limit, "Only the first K instances of each corpus")
-          ->check(CLI::PositiveNumber);
-  page.add_option("--every", measurement.every, "Only every K-th instance of each corpus")
-      ->check(CLI::PositiveNumber)
+  CLI::Option* limit = add(page, "--limit", measurement.limit,
+                           "Only the first K instances of each corpus", CLI::PositiveNumber);
+  add(page, "--every", measurement.every, "Only every K-th instance of each corpus",
+      CLI::PositiveNumber)
       ->excludes(limit);
   page.add_flag("--dry-run", measurement.dry_run,
                 "Print the pairs (instance, solver) that would be run and the expected time");
-  page.add_option("--shard", measurement.shard,
-                  "I/N: only the I-th of N parts; lcpbench merge joins them")
-      ->capture_default_str();
+  add_with_default(page, "--shard", measurement.shard,
+                   "I/N: only the I-th of N parts; lcpbench merge joins them");
   page.add_flag("--resume", measurement.resume,
                 "Go on with what DIR holds: run the pairs without a row");
-  page.add_option("--out", measurement.out, "Directory for rows, table, sheet and pictures");
+  add(page, "--out", measurement.out, "Directory for rows, table, sheet and pictures");
 }
 
 std::string suite_name(const Measurement& measurement) {

@@ -6,6 +6,7 @@
 #include <cstdio>
 #include <stdexcept>
 
+#include "harness/cli/page.h"
 #include "problems/io/load.h"
 
 namespace lcp::cli {
@@ -17,9 +18,8 @@ constexpr std::size_t names_listed = 8;  // Of instances, in an error.
 }  // namespace
 
 void add_reading_option(CLI::App& page, ReadOptions& reading) {
-  page.add_option("--directions", reading.directions,
-                  "Friction directions of contacts that come without them (FCLIB, Siconos); even")
-      ->capture_default_str();
+  add_with_default(page, "--directions", reading.directions,
+                   "Friction directions of contacts that come without them (FCLIB, Siconos); even");
 }
 
 std::vector<Instance> read_instances(const std::string& where, const ReadOptions& reading) {

@@ -8,10 +8,10 @@
 #include <stdexcept>
 
 #include "harness/cli/interrupt.h"
+#include "harness/cli/progress.h"
 #include "harness/cli/reading.h"
 #include "harness/cli/start.h"
 #include "harness/cli/verbs.h"
-#include "harness/cli/progress.h"
 #include "harness/studies/replay/render.h"
 
 namespace lcp::cli {

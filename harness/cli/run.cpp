@@ -1,8 +1,7 @@
 #include <filesystem>
-#include <memory>
 
 #include "harness/cli/measurement.h"
-#include "harness/cli/verbs.h"
+#include "harness/cli/page.h"
 #include "harness/studies/suites.h"
 
 namespace lcp::cli {
@@ -33,26 +32,24 @@ int run_suite_or_corpora(const RunArguments& arguments) {
   return measure(arguments.measurement, make_solvers(solvers), "runs/" + name);
 }
 
+void run_options(CLI::App& page, RunArguments& arguments) {
+  add(page, "--solver", arguments.solvers,
+      "NAME[:key=value,...], pattern, own or all; repeatable. Default: the suite's, or own");
+  add_options(page, arguments.measurement);
+}
+
 }  // namespace
 
 Verb add_run(CLI::App& program) {
-  CLI::App* page = program.add_subcommand(
-      "run", "Measure solvers on a suite or corpora; write rows, table and sheet");
-  auto arguments = std::make_shared<RunArguments>();
-  page->add_option(
-          "--solver", arguments->solvers,
-          "NAME[:key=value,...], pattern, own or all; repeatable. Default: the suite's, or own")
-      ->allow_extra_args(false);
-  add_options(*page, arguments->measurement);
-  page->footer(
+  return make_verb<RunArguments>(
+      program, "run", "Measure solvers on a suite or corpora; write rows, table and sheet",
+      run_options, run_suite_or_corpora,
       "Writes DIR/{run.json, env.json, rows.jsonl, table.txt, table.csv, table.json} and the files "
-      "of "
-      "lcpbench sheet; DIR is runs/SUITE unless --out names it.\n"
+      "of lcpbench sheet; DIR is runs/SUITE unless --out names it.\n"
       "Example:\n"
       "  lcpbench run --suite small --solver 'best-first*' --solver lexicographic:delta=1e-10\n"
       "  lcpbench run --suite contact --start cold --start two-step --start previous --solver "
       "best-first");
-  return {page, [arguments] { return run_suite_or_corpora(*arguments); }};
 }
 
 }  // namespace lcp::cli

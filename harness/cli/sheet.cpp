@@ -7,9 +7,9 @@
 #include <map>
 #include <memory>
 
-#include "harness/studies/sheet/sheet_files.h"
 #include "harness/cli/verbs.h"
 #include "harness/runs/run_directory.h"
+#include "harness/studies/sheet/sheet_files.h"
 
 namespace lcp::cli {
 

@@ -9,10 +9,10 @@
 #include <stdexcept>
 
 #include "harness/cli/interrupt.h"
+#include "harness/cli/progress.h"
 #include "harness/cli/quantity.h"
 #include "harness/cli/reading.h"
 #include "harness/cli/verbs.h"
-#include "harness/cli/progress.h"
 #include "problems/io/errors.h"
 #include "problems/io/load.h"
 

@@ -6,10 +6,10 @@
 
 #include "harness/cli/interrupt.h"
 #include "harness/cli/loop_options.h"
-#include "harness/cli/verbs.h"
-#include "harness/studies/loop/summary.h"
-#include "harness/present/scenes/scene_picture.h"
 #include "harness/cli/progress.h"
+#include "harness/cli/verbs.h"
+#include "harness/present/scenes/scene_picture.h"
+#include "harness/studies/loop/summary.h"
 #include "problems/io/errors.h"
 #include "problems/io/replace_file.h"
 #include "problems/scenes/dump.h"

@@ -6,11 +6,11 @@
 
 #include "harness/cli/interrupt.h"
 #include "harness/cli/output_directory.h"
+#include "harness/cli/progress.h"
 #include "harness/cli/quantity.h"
 #include "harness/cli/table_formats.h"
 #include "harness/cli/verbs.h"
 #include "harness/measure/environment.h"
-#include "harness/cli/progress.h"
 #include "harness/studies/sufficient/report.h"
 #include "problems/io/replace_file.h"
 #include "problems/scenes/scene.h"
