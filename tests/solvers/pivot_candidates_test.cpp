@@ -87,6 +87,53 @@ TEST(PivotCandidates, ManyThatTieAtZeroCostNothing) {
   for (const PivotCandidate& candidate : tied) EXPECT_EQ(candidate.cost, 0);
 }
 
+TEST(PivotCandidates, ACleanOneWithALargeRatioHasItsPrice) {
+  // Ratios 0.1 and 0.1001, twice. Pivoting on row 0 leaves 0.1 in all three rows, which earns
+  // 1 - exp(-0.1) in units of 1e-6; the others leave a 0. Nothing is negative at either ratio.
+  const Column column{VectorXd{{1e-9, 100.1, 100.1}}, VectorXd{{-1e-8, -1000, -1000}}};
+  const std::vector<PivotCandidate> candidates = found(column);
+  ASSERT_EQ(candidates.size(), 3U);
+  EXPECT_EQ(candidates[0].cost, std::llround((std::exp(-0.1) - 1) / kPricing.grid));
+  EXPECT_EQ(candidates[1].cost, 0);
+  EXPECT_EQ(candidates[2].cost, 0);
+}
+
+/// Rows 0 and 1, where pivoting on row 0 takes row 1 to -epsilon, on one side or the other of it by
+/// rounding alone.
+Column at_the_limit(unsigned seed) {
+  std::mt19937 random(seed);
+  const double theta = 1 + static_cast<double>(random()) * 0x1p-30;
+  const double m = -3 - 2 * static_cast<double>(random() % 6);
+  const double off = 1 + (static_cast<double>(random() % 5) - 2) * 0x1p-53;
+  return {VectorXd{{theta, (-kEpsilon - m * theta) * off}}, VectorXd{{-1, m}}};
+}
+
+TEST(PivotCandidates, StayAboveMinusEpsilonToTheLastBit) {
+  Index kept = 0, dropped = 0;
+  for (unsigned seed = 0; seed < 2000; ++seed) {
+    const Column column = at_the_limit(seed);
+    const std::vector<PivotCandidate> candidates = found(column);
+    for (const PivotCandidate& candidate : candidates) {
+      const Index other = 1 - candidate.row;
+      EXPECT_GT(column.q(other) + candidate.ratio * column.m(other), -kEpsilon) << seed;
+    }
+    (candidates.size() == 2 ? kept : dropped) += 1;
+  }
+  EXPECT_GT(kept, 100);
+  EXPECT_GT(dropped, 100);
+}
+
+TEST(Pricing, CleanPivotsAreFreeWhereAskedForAndElseEarnWhatTheyLeave) {
+  Pricing pricing{.epsilon = kEpsilon, .grid = 1e-6};
+  EXPECT_EQ(pricing.cost(0.1), std::llround((std::exp(-0.1) - 1) / 1e-6));
+  EXPECT_LT(pricing.cost(0.1), 0);
+  const std::int64_t dirty = pricing.cost(-1e-4);
+  pricing.clean_is_free = true;
+  for (const double clean : {0.1, 1e-9, 0.0, -4e-7}) EXPECT_EQ(pricing.cost(clean), 0) << clean;
+  EXPECT_EQ(pricing.cost(-1e-4), dirty);
+  EXPECT_EQ(dirty, 100);
+}
+
 TEST(Pricing, ItsShortSeriesIsExpm1) {
   const Pricing fine{.epsilon = 1, .grid = 1e-15};
   for (const double q_min : {-9e-9, -1e-12, 0.0, 3e-10, 9e-9})
