@@ -51,10 +51,10 @@ std::vector<PivotCandidate> by_definition(const Column& column) {
   return candidates;
 }
 
-std::vector<PivotCandidate> found(const Column& column) {
+std::vector<PivotCandidate> found(const Column& column, const Pricing& pricing = kPricing) {
   VectorXd ratios;
   std::vector<PivotCandidate> candidates;
-  find_candidates(column.q, column.m, blocks, kPricing, ratios, candidates);
+  find_candidates(column.q, column.m, blocks, pricing, ratios, candidates);
   return candidates;
 }
 
@@ -98,24 +98,25 @@ TEST(PivotCandidates, ACleanOneWithALargeRatioHasItsPrice) {
   EXPECT_EQ(candidates[2].cost, 0);
 }
 
-/// Rows 0 and 1, where pivoting on row 0 takes row 1 to -epsilon, on one side or the other of it by
-/// rounding alone.
-Column at_the_limit(unsigned seed) {
-  std::mt19937 random(seed);
-  const double theta = 1 + static_cast<double>(random()) * 0x1p-30;
+/// Rows 0 and 1, where pivoting on row 0 takes row 1 to -epsilon, give or take a rounding.
+Column at_the_limit(double epsilon, unsigned seed) {
+  std::mt19937_64 random(seed);
+  const double theta = 1 + static_cast<double>(random()) * 0x1p-62;  // all its bits in use
   const double m = -3 - 2 * static_cast<double>(random() % 6);
   const double off = 1 + (static_cast<double>(random() % 5) - 2) * 0x1p-53;
-  return {VectorXd{{theta, (-kEpsilon - m * theta) * off}}, VectorXd{{-1, m}}};
+  return {VectorXd{{theta, (-epsilon - m * theta) * off}}, VectorXd{{-1, m}}};
 }
 
 TEST(PivotCandidates, StayAboveMinusEpsilonToTheLastBit) {
+  // A power of two, so that q' may be -epsilon itself, which is not above it.
+  const Pricing pricing{.epsilon = 0x1p-10, .grid = 1e-6};
   Index kept = 0, dropped = 0;
   for (unsigned seed = 0; seed < 2000; ++seed) {
-    const Column column = at_the_limit(seed);
-    const std::vector<PivotCandidate> candidates = found(column);
+    const Column column = at_the_limit(pricing.epsilon, seed);
+    const std::vector<PivotCandidate> candidates = found(column, pricing);
     for (const PivotCandidate& candidate : candidates) {
       const Index other = 1 - candidate.row;
-      EXPECT_GT(column.q(other) + candidate.ratio * column.m(other), -kEpsilon) << seed;
+      EXPECT_GT(column.q(other) + candidate.ratio * column.m(other), -pricing.epsilon) << seed;
     }
     (candidates.size() == 2 ? kept : dropped) += 1;
   }
