@@ -157,6 +157,23 @@ TEST(Sheet, RatiosOfCountsHaveAnOffsetAndRowsWithoutSuchWorkLeave) {
             (std::vector<double>{1.5}));
 }
 
+/// Which of its settings are in the front, in their order.
+std::vector<bool> front_of(const std::vector<Record>& records) {
+  std::vector<bool> front;
+  for (const SheetRow& row : only_group(make_sheet(records)).rows) front.push_back(row.front);
+  return front;
+}
+
+TEST(Sheet, TheFrontPrefersTheLargerShareSolvedAtEqualCostAndResidual) {
+  std::vector<Record> records = {solved_in("c/0", "all", 1, 1e-9),
+                                 solved_in("c/0", "half", 1, 1e-9),
+                                 solved_in("c/0", "same", 1, 1e-9),
+                                 solved_in("c/1", "all", 1, 1e-9),
+                                 made_up("c/1", "half", Verdict::ray, Claim::ray, 1),
+                                 solved_in("c/1", "same", 1, 1e-9)};
+  EXPECT_EQ(front_of(records), (std::vector<bool>{true, false, true}));
+}
+
 TEST(Sheet, TheFrontHoldsWhatNothingElseDominates) {
   // exact is slower and more accurate than quick; worse is dominated by quick; partial is fastest but
   // solves half.

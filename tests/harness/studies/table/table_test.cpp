@@ -85,6 +85,29 @@ TEST(Table, TakesTimesAndResidualsOfTheSolvedAlone) {
   EXPECT_DOUBLE_EQ(row.residual_max.value(), 1e-10);
 }
 
+TEST(Table, TakesTheLargestResidualOfAll) {
+  std::vector<Record> records;
+  for (int i = 1; i <= 40; ++i) records.push_back(solved("c/" + std::to_string(i), "a", i * 1e-9));
+  EXPECT_DOUBLE_EQ(make_table(records).rows.front().residual_max.value(), 40e-9);
+}
+
+TEST(Table, CountsInstancesThatWereRestartedHoweverOften) {
+  std::vector<Record> records;
+  for (const Index restarts : {0, 1, 2, 1, 7}) {
+    records.push_back(solved("c/" + std::to_string(records.size()), "a", 0));
+    records.back().work.restarts = restarts;
+  }
+  EXPECT_EQ(make_table(records).rows.front().restarted, 4);
+}
+
+TEST(Table, TellsTheMostJobsOfAnyOfItsRows) {
+  std::vector<Record> records = {solved("c/0", "a", 0), solved("c/1", "a", 0),
+                                 solved("c/2", "a", 0)};
+  records[0].jobs = 2;
+  records[1].jobs = 4;
+  EXPECT_EQ(make_table(records).jobs, 4);
+}
+
 TEST(Table, TakesMeansOfWorkOverRunsThatReturned) {
   std::vector<Record> records = {solved("c/0", "a", 0),
                                  made_up("c/1", "a", Verdict::ray, Claim::ray, 1),
