@@ -14,6 +14,7 @@
 
 #include "harness/observed_quantile.h"
 #include "harness/studies/sheet/entries.h"
+#include "harness/studies/sheet/render.h"
 #include "harness/studies/table/table.h"
 
 namespace lcp {
@@ -318,6 +319,16 @@ std::vector<std::size_t> highlights(const Sheet& sheet, const Group& group, std:
   std::stable_partition(order.begin(), order.end(), first_of_row);
   order.resize(std::min(order.size(), most));
   return order;
+}
+
+std::vector<std::size_t> best_solving_front(const Group& group) {
+  double share = 0;
+  for (const SheetRow& row : group.rows)
+    if (row.front) share = std::max(share, row.mass.share_solved());
+  std::vector<std::size_t> most;
+  for (std::size_t i = 0; i < group.rows.size(); ++i)
+    if (group.rows[i].front && group.rows[i].mass.share_solved() == share) most.push_back(i);
+  return most;
 }
 
 }  // namespace lcp

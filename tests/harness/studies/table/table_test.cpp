@@ -309,7 +309,7 @@ TEST(TableRendering, TextFitsATerminalAndExplainsItsColumns) {
   for (const char* solver : {"lexicographic-pivot:delta=0.0001", "best-first"})
     for (int i = 0; i < 3; ++i) records.push_back(solved("c/" + std::to_string(i), solver, 1e-15));
   const std::string text = render(make_table(records), TableFormat::text);
-  for (const std::string& line : lines(text)) EXPECT_LE(line.size(), 110u) << line;
+  for (const std::string& line : lines(text)) EXPECT_LE(line.size(), 100u) << line;
   for (const char* heading : {"solved", "failed", "no sol", "cycle", "error", "resid"})
     EXPECT_NE(text.find(std::string("\n  ") + heading), std::string::npos) << heading;
   EXPECT_NE(text.find("c: 3 instances, 3.0 contacts, 2.0 active"), std::string::npos);

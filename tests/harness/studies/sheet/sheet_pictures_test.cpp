@@ -1,53 +1,52 @@
-#include "harness/present/step_curves.h"
+#include "harness/studies/sheet/sheet_pictures.h"
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "harness/studies/sheet/sheet_files.h"
-#include "harness/studies/sheet/sheet_pictures.h"
 #include "tests/harness/made_up_records.h"
 #include "tests/harness/temporary_directory.h"
 
 namespace lcp {
 namespace {
 
-TEST(StepCurves, CornersGoFromEndToEndAndKeepEveryShare) {
-  const Curve curve{4, {1, 10, 10}};
-  const std::vector<Pixels> corners = step_corners(curve, {1, 100}, 10);
-  EXPECT_DOUBLE_EQ(corners.front().x, 1);
-  EXPECT_DOUBLE_EQ(corners.front().y, 0.25);
-  EXPECT_DOUBLE_EQ(corners.back().x, 100);
-  EXPECT_DOUBLE_EQ(corners.back().y, 0.75);
-  ASSERT_EQ(corners.size(), 4u);
-  EXPECT_NEAR(corners[1].x, 10, 6) << "within a column of ten";
-}
-
-TEST(StepCurves, NoCurveHasMoreCornersThanColumnsNeed) {
-  Curve curve;
-  curve.counted = 10000;
-  for (int i = 0; i < 10000; ++i) curve.reached.push_back(1 + i);
-  EXPECT_LE(step_corners(curve, {1, 10000}, 50).size(), 102u);
-}
-
 TEST(SheetPictures, NameTheShareThatIsNeverReached) {
-  const StepCurvePage page =
-      profile_page(make_sheet({solved("c/0", "a", 0), solved("c/0", "b", 0), solved("c/1", "a", 0),
-                               made_up("c/1", "b", Verdict::ray, Claim::ray, 1)}));
-  ASSERT_EQ(page.legend.size(), 2u);
-  EXPECT_EQ(page.legend[0], "a  (0 % never)");
-  EXPECT_EQ(page.legend[1], "b  (50 % never)");
-  EXPECT_NE(page.caption.find("among these 2 settings"), std::string::npos) << page.caption;
+  const Figure figure = profile_figure(
+      make_sheet({solved("c/0", "a", 0), solved("c/0", "b", 0), solved("c/1", "a", 0),
+                  made_up("c/1", "b", Verdict::ray, Claim::ray, 1)}));
+  ASSERT_EQ(figure.legend.size(), 2u);
+  EXPECT_EQ(figure.legend[0].name, "a  (0 % never)");
+  EXPECT_EQ(figure.legend[1].name, "b  (50 % never)");
+  EXPECT_NE(figure.caption.find("among these 2 settings"), std::string::npos) << figure.caption;
 }
 
 TEST(SheetPictures, ShowAtMostTenSettingsInColour) {
   std::vector<Record> records;
   for (int i = 0; i < 14; ++i) records.push_back(solved("c/0", "s" + std::to_string(i), 1e-9));
   const Sheet sheet = make_sheet(records);
-  for (const StepCurvePage& page :
-       {profile_page(sheet), cumulative_page(sheet), accuracy_page(sheet)}) {
-    EXPECT_EQ(page.legend.size(), 10u);
-    for (const StepPanel& panel : page.panels) EXPECT_EQ(panel.curves.size(), 14u);
-    EXPECT_EQ(page.caption.rfind("Grey: 4 other settings. ", 0), 0u) << page.caption;
+  for (const Figure& figure :
+       {profile_figure(sheet), cumulative_figure(sheet), accuracy_figure(sheet)}) {
+    EXPECT_EQ(figure.legend.size(), 10u);
+    for (const Panel& panel : figure.panels) {
+      const auto grey = std::count_if(
+          panel.series.begin(), panel.series.end(),
+          [](const Series& series) { return series.marks.front().look.colour == 0xcccccc; });
+      EXPECT_EQ(panel.series.size() - static_cast<std::size_t>(grey), 10u);
+      EXPECT_EQ(grey, &panel == &figure.panels.front() ? 4 : 0) << "in the large panel alone";
+    }
+    EXPECT_EQ(figure.caption.rfind("Grey: 4 other settings. ", 0), 0u) << figure.caption;
   }
+}
+
+TEST(SheetPictures, ShowSettingsOfOneRowInItsColourWithDashesOfTheirOwn) {
+  const Figure figure = profile_figure(
+      make_sheet({solved("c/0", "a", 0), solved("c/0", "a:x=1", 0), solved("c/0", "a:x=2", 0)}));
+  ASSERT_EQ(figure.legend.size(), 3u);
+  for (const LegendEntry& entry : figure.legend)
+    EXPECT_EQ(entry.look.colour, look_of_solver("a").colour);
+  EXPECT_NE(figure.legend[0].look.dash, figure.legend[1].look.dash);
+  EXPECT_NE(figure.legend[1].look.dash, figure.legend[2].look.dash);
 }
 
 TEST(SheetFiles, AreNumbersAndPicturesOfTheirMeasure) {
