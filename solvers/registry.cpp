@@ -71,6 +71,20 @@ Absence::Absence(const std::vector<std::string>& names, const std::string& libra
 
 const std::vector<Row>& registry() { return rows(); }
 
+std::vector<std::string> rows_in_suites(const std::vector<Row>& rows) {
+  std::vector<const RowInfo*> own;
+  for (const Row& row : rows)
+    if (!row.info.peer()) own.push_back(&row.info);
+  std::stable_sort(own.begin(), own.end(), [](const RowInfo* a, const RowInfo* b) {
+    return a->in_suites.place < b->in_suites.place;
+  });
+  std::vector<std::string> spellings;
+  for (const RowInfo* info : own)
+    for (const std::string& setting : info->in_suites.settings)
+      spellings.push_back(setting.empty() ? info->name : info->name + ":" + setting);
+  return spellings;
+}
+
 const std::vector<AbsentPeer>& absent_peers() { return absent(); }
 
 const Row& find_row(const std::string& name) {

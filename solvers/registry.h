@@ -20,6 +20,13 @@ class Solver {
   virtual OptionTable options() = 0;
 };
 
+/// How suites of the project's own rows run a row; the defaults run a new one as it is.
+struct InSuites {
+  /// With each of these settings, `key=value,...`, as a row of its own; empty: only where asked for.
+  std::vector<std::string> settings = {""};
+  int place = 5;  ///< Rows are run and listed in this order, equal ones by name.
+};
+
 /// What a row of the registry says of itself.
 struct RowInfo {
   std::string name;
@@ -32,8 +39,9 @@ struct RowInfo {
   std::string version = "1";         ///< Raised when the row's results change.
   std::string supports = "any M";    ///< To other problems it answers `unsupported`.
   std::string outside_library = {};  ///< "Siconos 4.4.0": of a peer, an outside library's method.
-  std::string outside_constants =
-      {};  ///< Of a peer: its own tolerances, and who sets them to what.
+  /// Of a peer: its own tolerances, and who sets them to which values.
+  std::string outside_constants = {};
+  InSuites in_suites = {};  ///< Suites run peers as they are, whatever stands here.
 
   bool peer() const { return !outside_library.empty(); }
 };
@@ -46,6 +54,9 @@ struct Row {
 
 /// All rows, sorted by name, so that link order decides nothing.
 const std::vector<Row>& registry();
+
+/// Spellings of those of `rows` that are the project's own, as suites run them, by their places.
+std::vector<std::string> rows_in_suites(const std::vector<Row>& rows = registry());
 
 /// A peer that this build lacks, because its library was not there.
 struct AbsentPeer {

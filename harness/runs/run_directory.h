@@ -32,7 +32,7 @@ struct Expansion {
 };
 
 struct RunReport {
-  std::size_t rows_before = 0;  ///< Rows that stood there.
+  std::size_t rows_before = 0;  ///< Rows that were there before.
   std::size_t rows = 0;         ///< Rows written now.
 };
 

@@ -280,7 +280,8 @@ const Registration projected_gauss_seidel{
      .summary = "sweeps over rows, or over contacts with projection onto the friction polygon",
      .source = "Jourdan, Alart, Jean 1998; Cottle, Pang, Stone, 5.2",
      .kind = RowInfo::Kind::iterative,
-     .supports = "a positive diagonal, or contacts with friction blocks"},
+     .supports = "a positive diagonal, or contacts with friction blocks",
+     .in_suites = {.place = 4}},
     GaussSeidelOptions{},
     option_table,
     solve};

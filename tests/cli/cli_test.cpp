@@ -193,6 +193,16 @@ TEST_F(Cli, ADryRunPrintsThePairsAndWritesNothing) {
   EXPECT_FALSE(exists("runs"));
 }
 
+TEST_F(Cli, AnAddedSolverStandsBesideThoseOfTheSuite) {
+  const std::vector<std::string> words = {"run",   "--suite",   "small", "--limit",
+                                          "1",     "--dry-run", "--add", "lexicographic:delta=1e-5",
+                                          "--add", "lemke"};
+  const Ran ran = run(words);
+  EXPECT_EQ(ran.status, 0) << ran.err;
+  EXPECT_EQ(std::count(ran.out.begin(), ran.out.end(), '\n'), 13 * 17);
+  EXPECT_NE(ran.out.find("lexicographic:delta=1e-05\n"), std::string::npos);
+}
+
 TEST_F(Cli, TablesAreJudgedAnewAtAnotherTolerance) {
   ASSERT_EQ(run({"generate", "published", "--count", "8", "--out", "p.json"}).status, 0);
   ASSERT_EQ(run({"run", "--corpus", "p.json", "--solver", "lexicographic", "--out", "r"}).status,

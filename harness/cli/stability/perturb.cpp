@@ -151,7 +151,7 @@ int perturb(const PerturbArguments& arguments) {
         interrupted);
   }
   if (measurement.resume)
-    fmt::print(stderr, "{} rows stood there, {} are new\n", report.rows_before, report.rows);
+    fmt::print(stderr, "{} rows were there, {} are new\n", report.rows_before, report.rows);
   if (interrupted) {
     fmt::print(stderr, "interrupted: {} rows are in {}; the same command with --resume goes on\n",
                report.rows_before + report.rows, out.string());
