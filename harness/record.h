@@ -29,10 +29,25 @@ enum class Verdict {
   not_run,  ///< The runner's: the pair was left out.
 };
 
-const std::vector<Verdict>& all_verdicts();
-std::string to_string(Verdict verdict);  ///< With '-' for '_': false-infeasible, not-run.
-/// Throws std::invalid_argument with the list of verdicts.
-Verdict verdict_from_string(const std::string& name);
+constexpr auto names_of(Verdict) {
+  using enum Verdict;
+  return EnumNames{"verdict",
+                   std::to_array<EnumName<Verdict>>({{solved, "solved"},
+                                                     {wrong, "wrong"},
+                                                     {inaccurate, "inaccurate"},
+                                                     {ray, "ray"},
+                                                     {exhausted, "exhausted"},
+                                                     {infeasible, "infeasible"},
+                                                     {false_infeasible, "false-infeasible"},
+                                                     {cycle, "cycle"},
+                                                     {limit, "limit"},
+                                                     {singular, "singular"},
+                                                     {timeout, "timeout"},
+                                                     {memory, "memory"},
+                                                     {crash, "crash"},
+                                                     {unsupported, "unsupported"},
+                                                     {not_run, "not-run"}})};
+}
 
 /// How good an answer is. Everything is computed from M, q and the answer in __float128 (113 bits)
 /// and rounded at the end. Where z, w or the covering vector is no vector of n finite numbers, or

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "solvers/names.h"
 #include "solvers/problem.h"
 
 namespace lcp {
@@ -22,9 +23,17 @@ enum class Claim {
   unsupported,  ///< The method does not apply to this problem; `message` says why.
 };
 
-const std::vector<Claim>& all_claims();
-std::string to_string(Claim claim);
-Claim claim_from_string(const std::string& name);
+constexpr auto names_of(Claim) {
+  using enum Claim;
+  return EnumNames{"claim", std::to_array<EnumName<Claim>>({{solved, "solved"},
+                                                            {ray, "ray"},
+                                                            {exhausted, "exhausted"},
+                                                            {infeasible, "infeasible"},
+                                                            {cycle, "cycle"},
+                                                            {limit, "limit"},
+                                                            {singular, "singular"},
+                                                            {unsupported, "unsupported"}})};
+}
 
 /// Deterministic counts of what was done.
 struct Work {

@@ -1,7 +1,5 @@
 #pragma once
 
-#include <string>
-
 #include "harness/judge/judge.h"
 
 namespace lcp {
@@ -20,14 +18,16 @@ struct Acceptance {
   bool operator==(const Acceptance&) const = default;
 };
 
+constexpr auto names_of(Acceptance::Criterion) {
+  using enum Acceptance::Criterion;
+  return EnumNames{"criterion", std::to_array<EnumName<Acceptance::Criterion>>(
+                                    {{residual, "residual"}, {paper, "paper"}})};
+}
+
 /// The paper's criterion with its e_max = 1e-3 (V).
 inline constexpr Acceptance by_paper{Acceptance::Criterion::paper, 1e-3};
 
 /// What a criterion compares with its tolerance.
 double error_of(const Accuracy& accuracy, Acceptance::Criterion criterion);
-
-std::string to_string(Acceptance::Criterion criterion);  ///< residual, paper.
-/// Throws std::invalid_argument with the list of criteria.
-Acceptance::Criterion criterion_from_string(const std::string& name);
 
 }  // namespace lcp

@@ -158,7 +158,7 @@ Judgement judge(const Instance& instance, const Result& result, double tolerance
       verdict = judge_infeasible(instance, result, passed || trivial, tolerance);
       break;
     default:  // Every other claim stands as it is, under the same name.
-      verdict = verdict_from_string(to_string(result.claim));
+      verdict = from_string<Verdict>(to_string(result.claim));
   }
   return {verdict, failure_claimed && passed, trivial, accuracy};
 }

@@ -116,7 +116,7 @@ Gathered gather(const ReportedRun& run) {
       run.settings ? std::optional(run.settings->origin) : std::nullopt;
 
   std::map<std::string, Ordered> columns;
-  const std::vector<Verdict>& verdicts = all_verdicts();
+  const std::vector<Verdict>& verdicts = all_values<Verdict>();
   for (std::size_t row = 0; row < run.rows.size(); ++row) {
     const Record& record = run.rows[row];
     const auto [instance, new_instance] = instances({record.place, record.instance});
@@ -285,7 +285,7 @@ std::vector<std::string> reading_notes(const ReportedRun& run) {
 Ordered report_data(const ReportedRun& run) {
   Gathered gathered = gather(run);
   Ordered verdicts = Ordered::array();
-  for (const Verdict verdict : all_verdicts())
+  for (const Verdict verdict : all_values<Verdict>())
     verdicts.push_back({{"name", to_string(verdict)}, {"column", column_name(verdict)}});
   return {{"name", run.name},
           {"program", report_program},

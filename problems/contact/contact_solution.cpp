@@ -127,18 +127,6 @@ void apply(const ContactProblem& problem, ContactSolution& solution) {
 
 }  // namespace
 
-std::string to_string(Applied applied) {
-  switch (applied) {
-    case Applied::frictional:
-      return "frictional";
-    case Applied::frictionless:
-      return "frictionless";
-    case Applied::none:
-      break;
-  }
-  return "none";
-}
-
 ContactSolution solve_contacts(const ContactProblem& problem, const ContactModel& model,
                                const ContactSolver& solver,
                                const std::optional<SolutionByContact>& previous) {

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <functional>
-#include <string>
 
 #include "problems/contact/carried_over.h"
 #include "problems/contact/friction_lcp.h"
@@ -41,7 +40,12 @@ enum class Applied {
   none,          ///< Both failed.
 };
 
-std::string to_string(Applied applied);
+constexpr auto names_of(Applied) {
+  using enum Applied;
+  return EnumNames{
+      "force", std::to_array<EnumName<Applied>>(
+                   {{frictional, "frictional"}, {frictionless, "frictionless"}, {none, "none"}})};
+}
 
 /// A frame's two LCPs, their answers, and the forces that act.
 struct ContactSolution {

@@ -1,44 +1,18 @@
 #include "problems/scenes/scene.h"
 
-#include <fmt/format.h>
-#include <fmt/ranges.h>
-
-#include <algorithm>
-#include <stdexcept>
-
 namespace lcp {
 
 namespace {
 
-std::vector<SceneRow>& rows() {
-  static std::vector<SceneRow> all;
-  return all;
-}
+using Scenes = Catalogue<SceneInfo, Scene>;
 
 }  // namespace
 
-void SceneRegistration::add(SceneRow row) {
-  const auto place = std::lower_bound(
-      rows().begin(), rows().end(), row,
-      [](const SceneRow& a, const SceneRow& b) { return a.info.name < b.info.name; });
-  rows().insert(place, std::move(row));
-}
-
-const std::vector<SceneRow>& scenes() { return rows(); }
+const std::vector<SceneRow>& scenes() { return Scenes::instance().rows(); }
 
 NamedScene make_scene(const std::string& text) {
-  const Spelling spelling = parse_spelling(text);
-  std::vector<std::string> names;
-  for (const SceneRow& row : scenes()) {
-    names.push_back(row.info.name);
-    if (row.info.name != spelling.name) continue;
-    const std::unique_ptr<Scene> scene = row.make();
-    apply(scene->options(), spelling, row.info.name);
-    return {full_spelling(row.info.name, scene->options(), row.make()->options()), row.info,
-            scene->set_up()};
-  }
-  throw std::invalid_argument(
-      fmt::format("unknown scene '{}', known are: {}", spelling.name, fmt::join(names, ", ")));
+  SceneRow::Made scene = Scenes::instance().make(text);
+  return {std::move(scene.spelling), std::move(scene.info), scene.thing->run()};
 }
 
 Stepping SteppingKnobs::stepping() const {
