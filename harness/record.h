@@ -10,7 +10,8 @@
 
 namespace lcp {
 
-/// What the judge, or the runner where there is nothing to judge, decides of one run.
+/// What the judge, or the runner where there is nothing to judge, decides of one run. Rows hold its name
+/// with '-' for '_': false-infeasible, not-run.
 enum class Verdict {
   solved,      ///< Claimed solved, natural residual within the tolerance.
   wrong,       ///< Claimed solved or infeasible, and fails the check.
@@ -28,26 +29,6 @@ enum class Verdict {
   unsupported,
   not_run,  ///< The runner's: the pair was left out.
 };
-
-constexpr auto names_of(Verdict) {
-  using enum Verdict;
-  return EnumNames{"verdict",
-                   std::to_array<EnumName<Verdict>>({{solved, "solved"},
-                                                     {wrong, "wrong"},
-                                                     {inaccurate, "inaccurate"},
-                                                     {ray, "ray"},
-                                                     {exhausted, "exhausted"},
-                                                     {infeasible, "infeasible"},
-                                                     {false_infeasible, "false-infeasible"},
-                                                     {cycle, "cycle"},
-                                                     {limit, "limit"},
-                                                     {singular, "singular"},
-                                                     {timeout, "timeout"},
-                                                     {memory, "memory"},
-                                                     {crash, "crash"},
-                                                     {unsupported, "unsupported"},
-                                                     {not_run, "not-run"}})};
-}
 
 /// How good an answer is. Everything is computed from M, q and the answer in __float128 (113 bits)
 /// and rounded at the end. Where z, w or the covering vector is no vector of n finite numbers, or

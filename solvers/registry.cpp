@@ -5,7 +5,8 @@
 #include <fnmatch.h>
 
 #include <algorithm>
-#include <stdexcept>
+
+#include "solvers/errors.h"
 
 namespace lcp {
 
@@ -35,10 +36,10 @@ NamedSolver make_from(const Row& row, const Spelling& spelling) {
 void refuse_absent(const std::string& pattern) {
   for (const AbsentPeer& peer : absent_peers()) {
     if (fnmatch(pattern.c_str(), peer.name.c_str(), 0) != 0) continue;
-    throw std::invalid_argument(
-        fmt::format("solver '{}' is not built in: it needs {}, Debian package {}; install it, then "
-                    "configure and build again",
-                    pattern, peer.outside_library, peer.package));
+    throw InvalidArgument(
+        "solver '{}' is not built in: it needs {}, Debian package {}; install it, then "
+        "configure and build again",
+        pattern, peer.outside_library, peer.package);
   }
 }
 
@@ -95,8 +96,8 @@ std::vector<NamedSolver> make_solvers(const std::vector<std::string>& texts) {
     }
     if (matched) continue;
     refuse_absent(pattern);
-    throw std::invalid_argument(fmt::format("no solver matches '{}', known are: {}", spelling.name,
-                                            fmt::join(rows().names(), ", ")));
+    throw InvalidArgument("no solver matches '{}', known are: {}", spelling.name,
+                          fmt::join(rows().names(), ", "));
   }
   return solvers;
 }

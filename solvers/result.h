@@ -23,18 +23,6 @@ enum class Claim {
   unsupported,  ///< The method does not apply to this problem; `message` says why.
 };
 
-constexpr auto names_of(Claim) {
-  using enum Claim;
-  return EnumNames{"claim", std::to_array<EnumName<Claim>>({{solved, "solved"},
-                                                            {ray, "ray"},
-                                                            {exhausted, "exhausted"},
-                                                            {infeasible, "infeasible"},
-                                                            {cycle, "cycle"},
-                                                            {limit, "limit"},
-                                                            {singular, "singular"},
-                                                            {unsupported, "unsupported"}})};
-}
-
 /// Deterministic counts of what was done.
 struct Work {
   Index pivots = 0;     ///< Basis changes computed, abandoned branches included ("total pivots").

@@ -18,12 +18,6 @@ struct Acceptance {
   bool operator==(const Acceptance&) const = default;
 };
 
-constexpr auto names_of(Acceptance::Criterion) {
-  using enum Acceptance::Criterion;
-  return EnumNames{"criterion", std::to_array<EnumName<Acceptance::Criterion>>(
-                                    {{residual, "residual"}, {paper, "paper"}})};
-}
-
 /// The paper's criterion with its e_max = 1e-3 (V).
 inline constexpr Acceptance by_paper{Acceptance::Criterion::paper, 1e-3};
 

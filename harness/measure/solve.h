@@ -16,12 +16,6 @@ enum class StartKind {
   previous,  ///< The solution of the frame before (Instance::previous).
 };
 
-constexpr auto names_of(StartKind) {
-  using enum StartKind;
-  return EnumNames{"start", std::to_array<EnumName<StartKind>>(
-                                {{cold, "cold"}, {two_step, "two-step"}, {previous, "previous"}})};
-}
-
 /// Solves the islands (at least one) of a problem of size n apart and joins their results: the claim
 /// is that of the first island that fails, else `solved`; z, w, certificate and basis are put back
 /// into the problem's rows (NaN where an island returned no z or w of its size; no basis unless every

@@ -40,13 +40,6 @@ enum class Applied {
   none,          ///< Both failed.
 };
 
-constexpr auto names_of(Applied) {
-  using enum Applied;
-  return EnumNames{
-      "force", std::to_array<EnumName<Applied>>(
-                   {{frictional, "frictional"}, {frictionless, "frictionless"}, {none, "none"}})};
-}
-
 /// A frame's two LCPs, their answers, and the forces that act.
 struct ContactSolution {
   Problem frictionless, frictional;  ///< In full, whatever the model leaves out.

@@ -110,10 +110,10 @@ std::string try_in_child(const std::string& what, unsigned seconds,
     if (failure.empty()) return answer;
     if (WIFEXITED(status) && WEXITSTATUS(status) == threw) throw UnreadableInput(answer);
     if (WIFSIGNALED(status) && WTERMSIG(status) == SIGALRM)
-      throw UnreadableInput(fmt::format("{}: still not done after {} s", what, seconds));
-    throw UnreadableInput(fmt::format("{}: {}", what, failure));
+      throw UnreadableInput("{}: still not done after {} s", what, seconds);
+    throw UnreadableInput("{}: {}", what, failure);
   } catch (const std::system_error& error) {
-    throw UnreadableInput(fmt::format("{}: no child process: {}", what, error.what()));
+    throw UnreadableInput("{}: no child process: {}", what, error.what());
   }
 }
 

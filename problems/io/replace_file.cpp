@@ -18,7 +18,7 @@ namespace {
 
 [[noreturn]] void fail(const std::string& path, const char* what) {
   const int reason = errno;
-  throw UnwritableOutput(fmt::format("{}: cannot {}: {}", path, what, std::strerror(reason)));
+  throw UnwritableOutput("{}: cannot {}: {}", path, what, std::strerror(reason));
 }
 
 /// A file that is removed again unless it was renamed to what it shall be.
@@ -73,8 +73,7 @@ void replace_file(const std::string& path, std::string_view bytes) {
 void make_directories(const std::filesystem::path& path) {
   std::error_code error;
   std::filesystem::create_directories(path, error);
-  if (error)
-    throw UnwritableOutput(fmt::format("{}: cannot create: {}", path.string(), error.message()));
+  if (error) throw UnwritableOutput("{}: cannot create: {}", path.string(), error.message());
 }
 
 void remove_unfinished(const std::filesystem::path& directory) {

@@ -32,25 +32,25 @@ OptionTable with_stepping_knobs(OptionTable table, SteppingKnobs& knobs) {
   table.push_back(real("mu", knobs.mu, 0, 10, "friction coefficient of every contact"));
   table.push_back(
       count("directions", knobs.directions, 2, 64, "friction directions per contact, even"));
-  table.push_back(choice("axes", knobs.axes, {"fixed", "slip"},
+  table.push_back(choice("axes", knobs.axes,
                          "the first direction is the world's x, or along the slip velocity of a "
                          "sliding contact"));
   table.push_back(
-      choice("start", knobs.start, {"cold", "two-step", "all-active", "previous"},
+      choice("start", knobs.start,
              "the frictional LCP starts from the empty basis, from the independent ones "
              "of the normals that are active without friction, from all of them, or from "
              "the solution of the frame before"));
   table.push_back(flag("active_only", knobs.active_only,
                        "contacts inactive without friction are left out of the frictional LCP"));
-  table.push_back(choice("reduction", knobs.reduction, {"none", "paper", "deepest-4"},
-                         "which contact points are dropped as superfluous"));
+  table.push_back(
+      choice("reduction", knobs.reduction, "which contact points are dropped as superfluous"));
   table.push_back(
       real("correction", knobs.correction, 0, 1, "share of an overlap that one step takes back"));
   table.push_back(
-      choice("matrix", knobs.matrix, {"ada", "clean"},
+      choice("matrix", knobs.matrix,
              "contact matrices by assembly and disassembly, or as a product without its "
              "noise: from the composite body, or the joint space where joints move"));
-  table.push_back(choice("scheme", knobs.scheme, {"paper", "semi-implicit"},
+  table.push_back(choice("scheme", knobs.scheme,
                          "RK4 with the contact forces of its first stage, or Euler in velocities"));
   table.push_back(real("dt", knobs.dt, 1e-6, 1, "time step, s"));
   return table;

@@ -60,7 +60,7 @@ class MatrixFile {
       const std::vector<double> numbers = numbers_of(line_);
       if (sparse_ && (numbers.size() != 3 || !counts_up_to(rows_, numbers[0]) ||
                       !counts_up_to(columns_, numbers[1])))
-        refuse(fmt::format("row 1 ... {}, column 1 ... {} and value", rows_, columns_));
+        refuse("row 1 ... {}, column 1 ... {} and value", rows_, columns_);
       if (!sparse_ && numbers.size() != 1) refuse("one value");
       if (static_cast<double>(found) >= declared) continue;
       if (sparse_) {
@@ -74,15 +74,16 @@ class MatrixFile {
       }
     }
     if (static_cast<double>(found) != declared)
-      throw UnreadableInput(
-          fmt::format("{}: holds {} entries, expected {}", path_, found, declared));
+      throw UnreadableInput("{}: holds {} entries, expected {}", path_, found, declared);
     return matrix;
   }
 
  private:
-  [[noreturn]] void refuse(const std::string& expected) const {
-    throw UnreadableInput(
-        fmt::format("{}: line '{}', expected {}", path_, line_.substr(0, longest_shown), expected));
+  template <class... Arguments>
+  [[noreturn]] void refuse(fmt::format_string<Arguments...> expected,
+                           Arguments&&... arguments) const {
+    throw UnreadableInput("{}: line '{}', expected {}", path_, line_.substr(0, longest_shown),
+                          fmt::format(expected, std::forward<Arguments>(arguments)...));
   }
 
   /// The next line that is neither blank nor a comment; false, and an empty line, at the end.
@@ -119,8 +120,7 @@ class MatrixFile {
     const std::vector<double> sizes = numbers_of(line_);
     if (sizes.size() != (sparse_ ? 3 : 2) || !counts_up_to(largest_rows, sizes[0]) ||
         !counts_up_to(largest_rows, sizes[1]))
-      refuse(
-          fmt::format("1 ... {} rows and columns{}", largest_rows, sparse_ ? " and entries" : ""));
+      refuse("1 ... {} rows and columns{}", largest_rows, sparse_ ? " and entries" : "");
     rows_ = static_cast<Index>(sizes[0]);
     columns_ = static_cast<Index>(sizes[1]);
     if (mirrored_ != 0 && rows_ != columns_)
@@ -131,8 +131,8 @@ class MatrixFile {
                             : mirrored_ > 0  ? n * (n + 1) / 2
                                              : n * (n - 1) / 2;
     if (!(declared >= 0 && declared <= static_cast<double>(text_.size())))
-      throw UnreadableInput(fmt::format("{}: declares {} entries in a file of {} bytes", path_,
-                                        declared, text_.size()));
+      throw UnreadableInput("{}: declares {} entries in a file of {} bytes", path_, declared,
+                            text_.size());
     return declared;
   }
 
@@ -179,17 +179,15 @@ Instance read_matrix_market(const std::string& path, const std::string& name) {
   problem.M = MatrixFile(path).read();
   const Index n = problem.M.rows();
   if (problem.M.cols() != n)
-    throw UnreadableInput(
-        fmt::format("{}: M is {} x {}, expected a square matrix", path, n, problem.M.cols()));
+    throw UnreadableInput("{}: M is {} x {}, expected a square matrix", path, n, problem.M.cols());
   const MatrixXd q = MatrixFile(path_of_q).read();
   if (q.rows() != n || q.cols() != 1)
-    throw UnreadableInput(
-        fmt::format("{}: q is {} x {}, expected {} x 1", path_of_q, q.rows(), q.cols(), n));
+    throw UnreadableInput("{}: q is {} x {}, expected {} x 1", path_of_q, q.rows(), q.cols(), n);
   problem.q = q.col(0);
   try {
     return make_instance(name, std::move(problem), {{"file", path}});
   } catch (const std::invalid_argument& error) {
-    throw UnreadableInput(fmt::format("{}: {}", path, error.what()));
+    throw UnreadableInput("{}: {}", path, error.what());
   }
 }
 
@@ -197,8 +195,8 @@ void write_matrix_market(const std::string& path, const Instance& instance) {
   const MatrixXd& M = instance.problem.M;
   const std::string reason = reason_to_refuse(instance.problem);
   if (!reason.empty())
-    throw UnwritableOutput(fmt::format("{}: Matrix Market cannot hold '{}': {}; write .hdf5", path,
-                                       instance.name, reason));
+    throw UnwritableOutput("{}: Matrix Market cannot hold '{}': {}; write .hdf5", path,
+                           instance.name, reason);
   const Index n = M.rows();
   fmt::memory_buffer entries, q;
   Index count = 0;
