@@ -10,7 +10,8 @@
 
 namespace lcp {
 
-/// What the judge, or the runner where there is nothing to judge, decides of one run.
+/// What the judge, or the runner where there is nothing to judge, decides of one run. Rows hold its name
+/// with '-' for '_': false-infeasible, not-run.
 enum class Verdict {
   solved,      ///< Claimed solved, natural residual within the tolerance.
   wrong,       ///< Claimed solved or infeasible, and fails the check.
@@ -28,11 +29,6 @@ enum class Verdict {
   unsupported,
   not_run,  ///< The runner's: the pair was left out.
 };
-
-const std::vector<Verdict>& all_verdicts();
-std::string to_string(Verdict verdict);  ///< With '-' for '_': false-infeasible, not-run.
-/// Throws std::invalid_argument with the list of verdicts.
-Verdict verdict_from_string(const std::string& name);
 
 /// How good an answer is. Everything is computed from M, q and the answer in __float128 (113 bits)
 /// and rounded at the end. Where z, w or the covering vector is no vector of n finite numbers, or

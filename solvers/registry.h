@@ -4,20 +4,18 @@
 #include <string>
 #include <vector>
 
-#include "solvers/options.h"
+#include "solvers/catalogue.h"
 #include "solvers/result.h"
 
 namespace lcp {
 
 /// A method with its options set, ready to solve. It never prints, exits, or reads a clock.
-class Solver {
- public:
-  virtual ~Solver() = default;
+struct Solver : Configured<Result(const Problem&, const Call&)> {
+  static constexpr const char* kind = "solver";
+
   /// Solves LCP(M, q). Mathematics (ray, cycle, singular basis) is a claim; only a caller's mistake
   /// (shape, start out of range) throws. Same input, same pivots and bits.
-  virtual Result solve(const Problem& problem, const Call& call = {}) const = 0;
-  /// Live access to this solver's options.
-  virtual OptionTable options() = 0;
+  Result solve(const Problem& problem, const Call& call = {}) const { return run(problem, call); }
 };
 
 /// How suites of the project's own rows run a row; the defaults run a new one as it is.
@@ -47,9 +45,16 @@ struct RowInfo {
 };
 
 /// One row of the registry: a method with the defaults that make it this variant.
-struct Row {
-  RowInfo info;
-  std::function<std::unique_ptr<Solver>()> make;
+using Row = CatalogueRow<RowInfo, Solver>;
+
+/// Registers a row; `solve(Problem, Options, Call)` is the method.
+struct Registration : Registered<RowInfo, Solver> {
+  template <class Options, class Table, class Solve>
+  Registration(RowInfo info, Options defaults, Table table, Solve solve)
+      : Registered(std::move(info), std::move(defaults), table,
+                   [solve](const Options& options, const Problem& problem, const Call& call) {
+                     return solve(problem, options, call);
+                   }) {}
 };
 
 /// All rows, sorted by name, so that link order decides nothing.
@@ -70,8 +75,7 @@ const std::vector<AbsentPeer>& absent_peers();
 
 /// A solver in full spelling.
 struct NamedSolver {
-  std::string
-      spelling;  ///< Name and every setting that differs from the row's default, in table order.
+  std::string spelling;  ///< Name and settings that differ from the row's defaults, in table order.
   RowInfo info;
   std::shared_ptr<Solver> solver;
 };
@@ -90,32 +94,6 @@ bool names_several(const std::string& text);
 /// The same for a list in which `all` stands for every row, `own` for every row but the peers, and a
 /// name may hold `*`: `best-first*:epsilon=1e-6`. Order is kept, repetitions are dropped.
 std::vector<NamedSolver> make_solvers(const std::vector<std::string>& texts);
-
-/// Registers a row for as long as the program runs; construct it at the foot of the method's file.
-/// `table(Options&)` lists the options, `solve(Problem, Options, Call)` is the method.
-struct Registration {
-  template <class Options, class Table, class Solve>
-  Registration(RowInfo info, Options defaults, Table table, Solve solve) {
-    class Method final : public Solver {
-     public:
-      Method(Options options, Table list, Solve run)
-          : options_(std::move(options)), list_(list), run_(run) {}
-      Result solve(const Problem& problem, const Call& call) const override {
-        return run_(problem, options_, call);
-      }
-      OptionTable options() override { return list_(options_); }
-
-     private:
-      Options options_;
-      Table list_;
-      Solve run_;
-    };
-    add({std::move(info), [=] { return std::make_unique<Method>(defaults, table, solve); }});
-  }
-
- private:
-  static void add(Row row);
-};
 
 /// Makes the names of peers that are not built in known, with what would bring them.
 struct Absence {

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "solvers/names.h"
 #include "solvers/problem.h"
 
 namespace lcp {
@@ -21,10 +22,6 @@ enum class Claim {
   singular,     ///< No usable pivot, a singular basis, or non-finite numbers.
   unsupported,  ///< The method does not apply to this problem; `message` says why.
 };
-
-const std::vector<Claim>& all_claims();
-std::string to_string(Claim claim);
-Claim claim_from_string(const std::string& name);
 
 /// Deterministic counts of what was done.
 struct Work {

@@ -63,8 +63,4 @@ inline constexpr Acceptance by_paper{Acceptance::Criterion::paper, 1e-3};
 /// What a criterion compares with its tolerance.
 double error_of(const Accuracy& accuracy, Acceptance::Criterion criterion);
 
-std::string to_string(Acceptance::Criterion criterion);  ///< residual, paper.
-/// Throws std::invalid_argument with the list of criteria.
-Acceptance::Criterion criterion_from_string(const std::string& name);
-
 }  // namespace lcp

@@ -7,8 +7,8 @@
 #include <memory>
 #include <stdexcept>
 
-#include "harness/measure/worker.h"
 #include "harness/judge/judge.h"
+#include "harness/measure/worker.h"
 #include "harness/observed_quantile.h"
 #include "solvers/peers/outside_call.h"
 

@@ -119,7 +119,7 @@ Gathered gather(const ReportedRun& run) {
       run.settings ? std::optional(run.settings->origin) : std::nullopt;
 
   std::map<std::string, Ordered> columns;
-  const std::vector<Verdict>& verdicts = all_verdicts();
+  const std::vector<Verdict>& verdicts = all_values<Verdict>();
   for (std::size_t row = 0; row < run.rows.size(); ++row) {
     const Record& record = run.rows[row];
     const auto [instance, new_instance] = instances({record.place, record.instance});
@@ -329,7 +329,7 @@ Ordered report_data(const ReportedRun& run) {
   Gathered gathered = gather(run);
   const std::vector<Level> levels = levels_of(run.rows);
   Ordered verdicts = Ordered::array();
-  for (const Verdict verdict : all_verdicts())
+  for (const Verdict verdict : all_values<Verdict>())
     verdicts.push_back(
         {{"name", to_string(verdict)}, {"column", to_string(Judged{verdict}.standing())}});
   return {{"name", run.name},

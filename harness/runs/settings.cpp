@@ -73,7 +73,7 @@ void sort_rows(std::vector<Record>& rows, const std::vector<std::string>& solver
   std::map<std::string, std::size_t> turn;
   for (const std::string& solver : solvers) turn.try_emplace(solver, turn.size());
   std::map<std::string, std::size_t> start_turn;
-  for (const StartKind start : all_start_kinds())
+  for (const StartKind start : all_values<StartKind>())
     start_turn.try_emplace(to_string(start), start_turn.size());
   const auto turn_of = [](const auto& turns, const std::string& name) {
     const auto found = turns.find(name);

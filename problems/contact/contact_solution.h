@@ -1,7 +1,6 @@
 #pragma once
 
 #include <functional>
-#include <string>
 
 #include "problems/contact/carried_over.h"
 #include "problems/contact/friction_lcp.h"
@@ -40,8 +39,6 @@ enum class Applied {
   frictionless,  ///< The frictional LCP failed: bodies do not sink, but slip.
   none,          ///< Both failed.
 };
-
-std::string to_string(Applied applied);
 
 /// A frame's two LCPs, their answers, and the forces that act.
 struct ContactSolution {

@@ -3,11 +3,11 @@
 #include <functional>
 #include <memory>
 #include <optional>
-#include <stdexcept>
 
 #include "problems/contact/contact_solution.h"
 #include "problems/rigid/contact_dynamics.h"
 #include "problems/rigid/joint_space.h"
+#include "solvers/errors.h"
 
 namespace lcp {
 
@@ -73,8 +73,8 @@ struct Frame {
 };
 
 /// Bodies no longer move at finite speed, as under the forces of a solver that is wrong.
-struct SimulationBroke : std::runtime_error {
-  using std::runtime_error::runtime_error;
+struct SimulationBroke : Formatted<std::runtime_error> {
+  using Formatted::Formatted;
 };
 
 /// Steps a system through time, with a solver in the loop. Deterministic.

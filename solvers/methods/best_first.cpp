@@ -80,16 +80,15 @@ OptionTable option_table(BestFirstOptions& options, OptionTable pivoting) {
       real("e_max", options.e_max, 0, 1,
            "largest |w - M z - q - z0 c| a node may have when opened; scale worked in")
           .accuracy({"1e-03", "1e-06", "1e-09", "1e-12"}),
-      choice("ties", options.ties, {"deepest", "lifo", "fifo"},
+      choice("ties", options.ties,
              "nodes of equal cost: deeper first, then earlier generated; newest; oldest first"),
-      choice("step0", options.step0, {"argmin", "branch"},
+      choice("step0", options.step0,
              "Step 0 takes the least q_i, or every row is a candidate as in Step 1"),
-      choice("cost", options.cost, {"excess", "printed"},
-             "a pivot costs exp(-q_min) - 1, or exp(-q_min) as printed"),
+      choice("cost", options.cost, "a pivot costs exp(-q_min) - 1, or exp(-q_min) as printed"),
       real("cost_grid", options.cost_grid, 1e-15, 1,
            "costs are rounded to multiples of this, so that the C library's exp decides nothing"),
       choice(
-          "order", options.order, {"pivot", "row", "lexicographic"},
+          "order", options.order,
           "siblings of equal cost: larger pivots first; by row; or the lexicographic rule's choice "
           "first, and then pivots with q_min above -cost_grid/2 cost 0"),
       real("delta", options.delta, 0, 1, "tie threshold of order=lexicographic; scale worked in"),

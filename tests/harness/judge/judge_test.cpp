@@ -324,11 +324,11 @@ TEST(ProvesInfeasible, WantsYNonnegativeToTheLastBit) {
 }
 
 TEST(Verdict, IsReadBackFromItsName) {
-  for (const Verdict verdict : all_verdicts())
-    EXPECT_EQ(verdict_from_string(to_string(verdict)), verdict);
+  for (const Verdict verdict : all_values<Verdict>())
+    EXPECT_EQ(from_string<Verdict>(to_string(verdict)), verdict);
   EXPECT_EQ(to_string(Verdict::false_infeasible), "false-infeasible");
   EXPECT_EQ(to_string(Verdict::not_run), "not-run");
-  EXPECT_THROW(verdict_from_string("fine"), std::invalid_argument);
+  EXPECT_THROW(from_string<Verdict>("fine"), std::invalid_argument);
 }
 
 }  // namespace

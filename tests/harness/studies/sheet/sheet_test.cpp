@@ -326,7 +326,7 @@ void expect_whole(const std::vector<Record>& records) {
 
 TEST(Sheet, LosesNoRowOfMadeUpOnes) {
   std::vector<Record> records;
-  for (const Verdict verdict : all_verdicts())
+  for (const Verdict verdict : all_values<Verdict>())
     if (verdict != Verdict::inaccurate)
       records.push_back(decided_by_runner(verdict)
                             ? ended("c/" + to_string(verdict), "a", verdict)

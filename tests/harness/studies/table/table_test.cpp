@@ -29,7 +29,7 @@ Record with_verdict(const std::string& instance, Verdict verdict) {
 /// One record of every verdict a run may write, and a trivial success.
 std::vector<Record> one_of_each() {
   std::vector<Record> records;
-  for (const Verdict verdict : all_verdicts())
+  for (const Verdict verdict : all_values<Verdict>())
     if (verdict != Verdict::inaccurate)
       records.push_back(with_verdict("c/" + to_string(verdict), verdict));
   records.push_back(solved("c/trivial", "a", 0));
