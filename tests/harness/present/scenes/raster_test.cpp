@@ -26,11 +26,16 @@ Pose turned(double angle, const Vector3d& axis, const Vector3d& at) {
 
 constexpr Index kSize = 200;  // pixels of a page, 100 to a metre, the origin in its middle
 
-/// Of each body; seen from obliquely above.
-std::vector<std::vector<Raster::Triangle>> triangles_of(const std::vector<Body>& bodies) {
+/// Seen from obliquely above.
+Vector3d on_page(const Vector3d& point) {
   const Matrix3d view =
       (Eigen::AngleAxisd(-1.2, Vector3d::UnitX()) * Eigen::AngleAxisd(0.5, Vector3d::UnitZ()))
           .toRotationMatrix();
+  return 100 * (view * point) + Vector3d(kSize / 2, kSize / 2, 0);
+}
+
+/// Of each body.
+std::vector<std::vector<Raster::Triangle>> triangles_of(const std::vector<Body>& bodies) {
   std::vector<std::vector<Raster::Triangle>> all;
   for (const Body& body : bodies) {
     const Mesh mesh = surface_of(body.geometry);
@@ -38,8 +43,7 @@ std::vector<std::vector<Raster::Triangle>> triangles_of(const std::vector<Body>&
     for (const auto& [a, b, c] : mesh.triangles) {
       Raster::Triangle& corners = all.back().emplace_back();
       for (int k = 0; const int vertex : {a, b, c})
-        corners[k++] =
-            100 * (view * (body.pose * mesh.vertices[vertex])) + Vector3d(kSize / 2, kSize / 2, 0);
+        corners[k++] = on_page(body.pose * mesh.vertices[vertex]);
     }
   }
   return all;
@@ -134,27 +138,15 @@ TEST(Raster, ARingThroughAnotherLiesBeforeItHereAndBehindItThere) {
                                     {circle(4, 0.5, 0.06), turned(1.2, {1, 0.3, 0}, {0.25, 0, 0})}};
   const Raster raster = drawn(triangles_of(linked));
   // Where the middle lines of two segments cross in the picture, the nearer one is seen.
-  std::vector<std::vector<Vector3d>> corners;
-  for (const auto& triangles : triangles_of(linked)) {
-    corners.emplace_back();
-    const std::size_t of_segment =
-        triangles.size() / std::get<Ring>(linked[corners.size() - 1].geometry).corners.size();
-    for (std::size_t begin = 0; begin < triangles.size(); begin += of_segment) {
-      Eigen::AlignedBox3d ignored;
-      Vector3d middle = Vector3d::Zero();  // of the segment
-      for (std::size_t k = begin; k < begin + of_segment; ++k)
-        for (const Vector3d& corner : triangles[k]) middle += corner;
-      corners.back().push_back(middle / static_cast<double>(3 * of_segment));
-    }
-  }
   std::multiset<std::size_t> in_front;
-  const auto end = [&](std::size_t ring, std::size_t i) -> Vector3d {
-    const std::size_t count = corners[ring].size();
-    return corners[ring][i % count];
+  const auto corner = [&](std::size_t ring, std::size_t i) -> Vector3d {
+    const std::vector<Vector3d>& corners = std::get<Ring>(linked[ring].geometry).corners;
+    return on_page(linked[ring].pose * corners[i % corners.size()]);
   };
-  for (std::size_t i = 0; i < corners[0].size(); ++i)
-    for (std::size_t j = 0; j < corners[1].size(); ++j) {
-      const Vector3d a = end(0, i), u = end(0, i + 1) - a, b = end(1, j), v = end(1, j + 1) - b;
+  for (std::size_t i = 0; i < 12; ++i)
+    for (std::size_t j = 0; j < 4; ++j) {
+      const Vector3d a = corner(0, i), u = corner(0, i + 1) - a, b = corner(1, j),
+                     v = corner(1, j + 1) - b;
       Eigen::Matrix2d lines;
       lines << u.head<2>(), -v.head<2>();
       const Vector2d share = lines.inverse() * (b - a).head<2>();
