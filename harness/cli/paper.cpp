@@ -153,7 +153,6 @@ int draw_figure(const PaperArguments& arguments) {
   if (arguments.figure == 4) return draw_figure_4(arguments);
   const std::filesystem::path directory = arguments.out;
   const NamedScene scene = make_scene(arguments.figure == 2 ? "squat" : "tap-dance");
-  const auto draw = arguments.figure == 2 ? write_figure_2 : write_figure_3;
   const std::atomic<bool>& interrupted = catch_interruptions();
   LoopRun run;
   {
@@ -162,7 +161,8 @@ int draw_figure(const PaperArguments& arguments) {
     const FrameLook look = [&](const Simulation&, const Frame&, const FrameRecord& record) {
       bar.update({static_cast<std::size_t>(record.frame), steps, scene.spelling});
     };
-    run = draw(directory, scene, make_solver("best-first"), {}, look, interrupted);
+    run = write_figure(arguments.figure, directory, scene, make_solver("best-first"), {}, look,
+                       interrupted);
   }
   if (interrupted) return say_interrupted(directory);
   return tell_of_figure(arguments, {summary_of(run, scene)});
