@@ -63,7 +63,7 @@ TextColumn text_column(const CellTable& table, std::size_t place, const TextStyl
     text |= row[place].is_string();
     number |= row[place].is_number();
   }
-  column.right = number || !text;
+  column.right = table.heads[place].right || number || !text;
   for (const std::string& cell : column.cells) column.width = std::max(column.width, letters(cell));
   return column;
 }

@@ -21,6 +21,7 @@ struct ColumnHead {
   double scale = 1;          ///< What a reader sees is the value times this.
   std::string latex = {};    ///< Heading in LaTeX; empty: the terminal's, or else the key.
   std::string exact = "{}";  ///< Format of a number in CSV: the shortest that reads back.
+  bool right = false;        ///< Text stands on the right, as numbers do.
   bool only_if_any = false;  ///< A terminal shows it only where a row has a value other than 0.
 };
 

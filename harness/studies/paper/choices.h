@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
+#include "harness/present/columns.h"
 #include "harness/studies/paper/columns/loop_columns.h"
-#include "harness/studies/paper/reproduce.h"
 #include "harness/studies/table/table.h"
 
 namespace lcp {
@@ -22,6 +22,9 @@ struct Choice {
 
 const std::vector<Choice>& choices();
 
+/// What is printed of each.
+const std::vector<Column<LoopColumn>>& choice_columns();
+
 /// Every choice in the loop of one scene.
 struct ChoiceTable {
   std::string scene;
@@ -32,7 +35,6 @@ struct ChoiceTable {
 /// loop of `squat` and of `tap-dance`. Computes what the directory does not hold yet, as reproduce
 /// does; empty when interrupted.
 std::optional<std::vector<ChoiceTable>> decide_each_way(const Reproduction& how,
-                                                        std::optional<double> duration,
                                                         const std::atomic<bool>& interrupted);
 
 /// `text`, `csv`, `json` or `latex`, as the paper's tables.
