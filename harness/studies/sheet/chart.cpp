@@ -16,7 +16,7 @@ namespace lcp {
 namespace {
 
 /// The page, in pixels. Left of each panel the chart, right of it the list of settings and failures.
-constexpr double page_head = 34, panel_head = 44, panel_foot = 62;
+constexpr double chart_head = 34, panel_head = 44, panel_foot = 62;
 constexpr double chart_left = 92, chart_width = 500, least_panel_height = 280;
 constexpr double list_left = 620, list_line = 18, number_right = 38, name_left = 44;
 constexpr double letter_width = 6.7, least_name_width = 250, bar_width = 150, words_width = 230;
@@ -27,7 +27,7 @@ constexpr std::size_t most_panels = 9;
 /// Settings in one panel's list: all, where they are so few; else the highlights and, as far as there
 /// is room, the rest of the front.
 constexpr std::size_t few_settings = 20, most_listed = 14, most_highlights = 10;
-constexpr Look grey = {.colour = mid_grey};
+constexpr Look in_grey = {.colour = mid_grey};
 
 /// Axes are padded by this factor on either side, and span at least a decade.
 constexpr double padding = 1.7;
@@ -106,7 +106,7 @@ class Plane {
                                       {.x = cost_.high, .y = sheet_.tolerance}}});
     panel.series.push_back({.kind = Series::Kind::text,
                             .marks = {{.x = cost_.value(chart_width - 4, chart_width),
-                                       .y = above(sheet_.tolerance, 8),
+                                       .y = above(sheet_.tolerance, -9),
                                        .text = "tolerance",
                                        .look = line}},
                             .size = 0.9,
@@ -122,7 +122,7 @@ class Plane {
       if (is_listed(i))
         points.marks.push_back(at);
       else
-        others.marks.push_back({.x = at.x, .y = at.y, .look = grey});
+        others.marks.push_back({.x = at.x, .y = at.y, .look = in_grey});
       if (group_.rows[i].front)
         rings.marks.push_back({.x = at.x, .y = at.y, .look = {black}, .filled = false});
     }
@@ -177,7 +177,7 @@ class Plane {
         others.*count += mass.*count;
     }
     if (others.instances > 0)
-      add(fmt::format("{} others, in grey", group_.rows.size() - listed_.size()), grey, others);
+      add(fmt::format("{} others, in grey", group_.rows.size() - listed_.size()), in_grey, others);
     panel.series = {bars, points, texts, numbers};
     return panel;
   }
@@ -187,7 +187,7 @@ class Plane {
   std::string number(std::size_t i) const { return fmt::format("{}", group_.rows[i].setting + 1); }
   bool is_listed(std::size_t i) const { return listed_.count(i) > 0; }
   Look look(std::size_t i) const {
-    return is_listed(i) ? look_of_solver(rows_[group_.rows[i].setting]) : grey;
+    return is_listed(i) ? look_of_solver(rows_[group_.rows[i].setting]) : in_grey;
   }
 
   /// A setting that solved something, at its medians, with its quartiles.
@@ -336,7 +336,7 @@ Figure chart_figure(const Sheet& sheet) {
           "trivial, unsupported and not run."};
   if (shown < corpora)
     figure.caption += fmt::format(" {} more corpora are not drawn.", corpora - shown);
-  double top = page_head;
+  double top = chart_head;
   for (const Plane& plane : planes) {
     figure.panels.push_back(plane.chart(top + panel_head));
     figure.panels.push_back(plane.list(top + panel_head, name_width));

@@ -37,29 +37,19 @@ std::vector<std::string> chosen(const std::vector<std::string>& all,
   if (patterns.empty()) return all;
   std::set<std::string> fitting;
   for (const std::string& pattern : patterns) {
-    const auto fits = [&](const std::string& corpus) {
-      return corpus == pattern || fnmatch(pattern.c_str(), corpus.c_str(), 0) == 0;
-    };
-    if (std::none_of(all.begin(), all.end(), fits))
+    bool any = false;
+    for (const std::string& corpus : all)
+      if (corpus == pattern || fnmatch(pattern.c_str(), corpus.c_str(), 0) == 0) {
+        fitting.insert(corpus);
+        any = true;
+      }
+    if (!any)
       throw std::invalid_argument(
           fmt::format("no corpus matches '{}', the run has: {}", pattern, fmt::join(all, ", ")));
-    for (const std::string& corpus : all)
-      if (fits(corpus)) fitting.insert(corpus);
   }
-  std::vector<std::string> kept;
-  for (const std::string& corpus : all)
-    if (fitting.count(corpus) > 0) kept.push_back(corpus);
+  std::vector<std::string> kept = all;
+  std::erase_if(kept, [&](const std::string& corpus) { return fitting.count(corpus) == 0; });
   return kept;
-}
-
-double tolerance_of(const std::vector<Record>& records, const SheetOptions& options) {
-  if (options.tolerance) return *options.tolerance;
-  for (const Record& record : records)
-    if (record.tolerance != records.front().tolerance)
-      throw std::invalid_argument(
-          fmt::format("rows were judged at {} and at {}: a tolerance is needed to compare them",
-                      records.front().tolerance, record.tolerance));
-  return records.empty() ? 0 : records.front().tolerance;
 }
 
 /// Registry rows of which some pair brought an answer and none counted any work.
@@ -252,7 +242,7 @@ Group make_group(const std::string& name, const std::vector<Entry>& entries, std
 Sheet make_sheet(const std::vector<Record>& records, const SheetOptions& options) {
   Sheet sheet;
   sheet.options = options;
-  sheet.tolerance = tolerance_of(records, options);
+  sheet.tolerance = options.tolerance ? *options.tolerance : common_tolerance(records);
   const std::vector<std::string> corpora = chosen(corpora_of(records), options.corpora);
   const std::set<std::string> without = options.measure == Measure::time
                                             ? std::set<std::string>{}

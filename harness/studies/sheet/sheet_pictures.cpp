@@ -21,7 +21,7 @@ constexpr std::size_t most_profile_panels = 13;
 constexpr double least_width = 1060, large_foot = 490, legend_left = 640, legend_letter = 7.4;
 constexpr PageArea large_area = {74, 540, 70, 370};
 constexpr PanelGrid small_grid = {
-    .abreast = 4, .width = 182, .height = 140, .left_of = 66, .above = 34, .below = 41, .top = 490};
+    .abreast = 4, .width = 182, .height = 140, .left_of = 66, .above = 34, .below = 41, .top = 506};
 constexpr int large_columns = 180, small_columns = 60;
 constexpr std::size_t small_title_letters = 30;
 
@@ -131,8 +131,8 @@ Figure figure_of(const Sheet& sheet, const CurvePage& page) {
          .look = looks[i],
          .line = true,
          .point = false});
-    figure.width =
-        std::max(figure.width, legend_left + 60 + legend_letter * double(label.size() + 16));
+    figure.width = std::max(
+        figure.width, legend_left + 50 + legend_letter * double(figure.legend.back().name.size()));
     look_of_setting.emplace(coloured[i]->setting, looks[i]);
   }
   figure.legend_area = {legend_left, 380, large_area.top, large_area.height};

@@ -65,6 +65,10 @@ struct Table {
   int jobs = 1;  ///< Most pairs that ran at the same time: it disturbs times.
 };
 
+/// The tolerance at which all rows were judged, 0 without rows. Throws std::invalid_argument where
+/// there are several.
+double common_tolerance(const std::vector<Record>& records);
+
 /// Counts records; `tolerance` re-judges them, without it they are taken as judged. Throws
 /// std::invalid_argument when records were judged at different tolerances and none is given.
 Table make_table(const std::vector<Record>& records, std::optional<double> tolerance = {});
