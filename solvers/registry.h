@@ -27,7 +27,7 @@ struct InSuites {
   int place = 5;  ///< Rows are run and listed in this order, equal ones by name.
 };
 
-/// What a row of the registry says of itself.
+/// A row of the registry, described.
 struct RowInfo {
   std::string name;
   std::string summary;
@@ -117,7 +117,7 @@ struct Registration {
   static void add(Row row);
 };
 
-/// Makes the names of peers that are not built in known, with what would bring them.
+/// Makes the names of peers that are not built in known, with the package that would bring them.
 struct Absence {
   Absence(const std::vector<std::string>& names, const std::string& library,
           const std::string& package);

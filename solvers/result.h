@@ -10,7 +10,7 @@
 
 namespace lcp {
 
-/// What a solver says of itself; what is true is the judge's to say.
+/// A solver's own word on its answer; the truth is the judge's to find.
 enum class Claim {
   solved,       ///< z is a solution.
   ray,          ///< Nothing blocks the driving variable (secondary ray); proves nothing by itself.
@@ -26,7 +26,7 @@ const std::vector<Claim>& all_claims();
 std::string to_string(Claim claim);
 Claim claim_from_string(const std::string& name);
 
-/// Deterministic counts of what was done.
+/// Deterministic counts of the work.
 struct Work {
   Index pivots = 0;     ///< Basis changes computed, abandoned branches included ("total pivots").
   Index path = 0;       ///< Basis changes on the path to the returned basis.
@@ -82,7 +82,7 @@ struct PivotEvent {
 
 using Observer = std::function<void(const PivotEvent&)>;
 
-/// What a caller may add to a problem.
+/// Things a caller may add to a problem.
 struct Call {
   std::optional<Start> start;
   Observer observer;  ///< Empty: nobody watches.
