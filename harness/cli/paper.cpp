@@ -4,17 +4,17 @@
 #include <optional>
 
 #include "harness/cli/interrupt.h"
+#include "harness/cli/progress.h"
 #include "harness/cli/quantity.h"
 #include "harness/cli/table_formats.h"
 #include "harness/cli/verbs.h"
 #include "harness/studies/loop/summary.h"
 #include "harness/studies/paper/choices.h"
+#include "harness/studies/paper/paper_figures.h"
 #include "harness/studies/paper/reproduce.h"
 #include "harness/studies/paper/scene_table.h"
 #include "harness/studies/paper/table_pictures.h"
 #include "harness/studies/paper/written_forms.h"
-#include "harness/studies/paper/paper_figures.h"
-#include "harness/cli/progress.h"
 #include "problems/io/replace_file.h"
 #include "problems/io/text/read_text.h"
 
@@ -71,7 +71,7 @@ int print(Reproduction how, const PaperArguments& arguments, const Compute& comp
   return done;
 }
 
-/// What is still to be computed.
+/// The simulations and rows still to be computed.
 template <class Plan>
 int print_missing(const Plan& plan, const Reproduction& how) {
   for (const std::string& line : missing_work(plan, how)) fmt::print("{}\n", line);
