@@ -13,7 +13,7 @@ struct FeatureOptions {
   Index largest_svd = 1500;       ///< Rows above which no singular values are computed.
 };
 
-/// What can be said of an instance without solving it.
+/// A description of an instance that needs no solve.
 struct Features {
   Index n = 0;
   Index contacts = 0;    ///< 0 where there are no friction blocks.

@@ -25,7 +25,7 @@ struct InSuites {
   int place = 5;  ///< Rows are run and listed in this order, equal ones by name.
 };
 
-/// What a row of the registry says of itself.
+/// A row of the registry, described.
 struct RowInfo {
   std::string name;
   std::string summary;

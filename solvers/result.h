@@ -11,7 +11,7 @@
 
 namespace lcp {
 
-/// What a solver says of itself; what is true is the judge's to say.
+/// A solver's own word on its answer; the truth is the judge's to find.
 enum class Claim {
   solved,       ///< z is a solution.
   ray,          ///< Nothing blocks the driving variable (secondary ray); proves nothing by itself.
@@ -79,7 +79,7 @@ struct PivotEvent {
 
 using Observer = std::function<void(const PivotEvent&)>;
 
-/// What a caller may add to a problem.
+/// Things a caller may add to a problem.
 struct Call {
   std::optional<Start> start;
   Observer observer;  ///< Empty: nobody watches.

@@ -14,7 +14,7 @@ struct RunArguments {
   std::vector<std::string> added;
 };
 
-/// What a run of a corpus is called: the file's name without its ending, or the directory's.
+/// Name of a run of a corpus: the file's name without its ending, or the directory's.
 std::string stem(const std::filesystem::path& corpus) {
   return (corpus.has_filename() ? corpus : corpus.parent_path()).stem().string();
 }

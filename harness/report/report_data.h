@@ -20,10 +20,10 @@ struct ReportedRun {
 };
 
 /// Reads a run directory; run.json and env.json may be missing. Throws UnreadableInput, naming the
-/// file, where rows are missing, malformed or none, or another file is malformed.
+/// file, where rows are missing, malformed or zero in number, or another file is malformed.
 ReportedRun read_reported_run(const std::filesystem::path& directory);
 
-/// What a reader of the numbers must know and could not guess: several jobs, a build that is not the
+/// Notes that a reader of the numbers needs and could not guess: several jobs, a build that is not the
 /// measured one, rows of several environments, pairs without a row, a line each.
 std::vector<std::string> reading_notes(const ReportedRun& run);
 

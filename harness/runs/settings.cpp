@@ -15,7 +15,7 @@ namespace {
 
 using nlohmann::json;
 
-/// Reads all of `text` as a count of at least 1; 0 when it is none.
+/// Reads all of `text` as a count of at least 1; 0 when it is not one.
 Index count_in(std::string_view text) {
   Index number = 0;
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);

@@ -8,7 +8,7 @@
 
 namespace lcp {
 
-/// What a frame's contacts are solved with. Both may be watched or timed by whoever hands them over.
+/// The solver of a frame's contacts. Both may be watched or timed by whoever hands them over.
 struct ContactSolver {
   std::function<Result(const Problem&, const Call&)> solve;
   /// Whether an answer may act. The paper counts a solution whose error exceeds e_max as failed.

@@ -21,7 +21,7 @@ using Separating = ReductionOptions::Separating;
 /// How far a unit normal's length may be from 1.
 constexpr double kUnitTolerance = 1e-6;
 
-/// Everything that tells one point from another, in the order in which they are gone through.
+/// Everything in which one point may differ from another, in the order in which they are gone through.
 auto sort_key(const ContactPoint& point) {
   const Vector3d &x = point.position, &n = point.normal;
   return std::tuple(point.id.body1, point.id.body2, -point.depth, x.x(), x.y(), x.z(), n.x(), n.y(),

@@ -8,7 +8,7 @@
 
 namespace lcp {
 
-/// An open file descriptor, closed when it goes; -1 is none.
+/// An open file descriptor, closed when it goes; -1 stands for no file.
 class FileDescriptor {
  public:
   explicit FileDescriptor(int number = -1) : number_(number) {}

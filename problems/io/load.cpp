@@ -39,7 +39,7 @@ Format format_of(const std::string& path) {
   return Format::unknown;
 }
 
-/// What the instance of a file that names none is called: dir/x of dir/x.M.mtx or dir/x.dat.
+/// Name of the instance in a file without names: dir/x of dir/x.M.mtx or dir/x.dat.
 std::string name_of_file(const std::string& path) {
   for (const char* ending : {matrix_market_ending, siconos_ending, json_ending, ".hdf5", ".h5"})
     if (path.ends_with(ending)) return path.substr(0, path.rfind(ending));

@@ -294,7 +294,7 @@ class ForwardDynamics::Impl {
     }
   }
 
-  /// Place of a link among the handles; -1 where it is none.
+  /// Place of a link among the handles; -1 where it is not one of them.
   Index handle_place(Index link) const {
     const auto place = std::lower_bound(handles_.begin(), handles_.end(), link);
     return place != handles_.end() && *place == link ? place - handles_.begin() : -1;

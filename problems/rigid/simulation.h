@@ -27,7 +27,7 @@ struct System {
   /// Points at which links touch; ids name bodies as body_of. Their normal velocities are filled in.
   /// May stay empty where nothing ever touches.
   std::function<std::vector<ContactPoint>(const Kinematics&)> collide = {};
-  /// Forces that pull at links besides gravity and contacts. May stay empty where none do.
+  /// Forces that pull at links besides gravity and contacts. May stay empty where no such force acts.
   std::function<std::vector<PointForce>(double time, const Kinematics&)> pull = {};
   double mu = 0.5;                      ///< Of every contact.
   Vector3d gravity = {0, 0, -9.80665};  ///< m/s^2.

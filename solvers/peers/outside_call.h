@@ -8,7 +8,7 @@
 
 namespace lcp {
 
-/// What every peer's options hold.
+/// Options that every peer has.
 struct PeerOptions {
   bool scale = true;
 };
@@ -52,7 +52,7 @@ Obstacle unsymmetric(const MatrixXd& M, double symmetry);
 Obstacle no_positive_diagonal(const MatrixXd& M);
 /// Unless every M_ii >= 0.
 Obstacle negative_diagonal(const MatrixXd& M);
-/// Where the caller gives a start to a method that knows none.
+/// Where the caller gives a start to a method that cannot take one.
 Obstacle any_start(const Call& call);
 
 /// Claim::unsupported with z = 0.

@@ -10,8 +10,8 @@
 #include <set>
 
 #include "harness/judge/judge.h"
-#include "harness/studies/laws/law_problems.h"
 #include "harness/record.h"
+#include "harness/studies/laws/law_problems.h"
 
 namespace lcp {
 
@@ -22,7 +22,7 @@ using Status = LawOutcome::Status;
 LawOutcome holds() { return {Status::holds, ""}; }
 LawOutcome broken(std::string why) { return {Status::broken, std::move(why)}; }
 
-/// Checks each sample in turn: the first that breaks the law decides; where the row supports none,
+/// Checks each sample in turn: the first that breaks the law decides; where the row supports not one,
 /// the law does not apply. `check` returns what is wrong, or nothing.
 LawOutcome on_samples(const NamedSolver& solver, const std::vector<NamedProblem>& samples,
                       const std::function<std::string(const Problem&, const Result&)>& check) {

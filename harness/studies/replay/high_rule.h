@@ -22,7 +22,7 @@ struct PathRule {
 /// empty for other rows.
 std::optional<PathRule> path_rule(const NamedSolver& solver);
 
-/// What Step 0 or Step 1 chose; row -1: nothing blocks.
+/// The choice of Step 0 or Step 1; row -1: nothing blocks.
 struct HighChoice {
   Index row = -1;
   Estimate ratio;

@@ -144,7 +144,7 @@ bool departs_at(const Replay& replay, std::size_t k) {
   return replay.departure && replay.departure->pivot == static_cast<Index>(k) + 1;
 }
 
-/// > the first wrong pivot, 0 the first that is none.
+/// > the first wrong pivot, 0 the first that is 0 in 113 bits.
 const char* mark(const Replay& replay, std::size_t k) {
   if (departs_at(replay, k)) return "> ";
   return replay.first_none && replay.first_none->pivot == static_cast<Index>(k) + 1 ? "0 " : indent;

@@ -258,7 +258,7 @@ Instance read_instance(const GroupReader& group, const std::string& name,
   return contacts_alone ? read_contacts(group, name, options) : read_stored_lcp(group, name);
 }
 
-/// A file that tells its version has to be of ours; one that another program wrote tells none.
+/// A file that holds a version has to hold ours; a file that another program wrote holds no version.
 void require_our_version(const GroupReader& root) {
   if (!root.has_attribute("corpus_version")) return;
   const Index version = root.integer_attribute("corpus_version");
