@@ -117,6 +117,7 @@ bool Raster::changes(Index x, Index y, Index dx, Index dy) const {
 
 /// What is thin has lines before other bodies only, or nothing else would be seen of it.
 bool Raster::on_a_line(Index x, Index y) const {
+  const std::size_t body = facets_[samples_[y * width_ + x].facet].body;
   const auto first_change = [&](Index samples, Index dx, Index dy) -> const Sample* {
     for (Index away = 1; away <= samples; ++away)
       if (changes(x, y, away * dx, away * dy))
@@ -125,7 +126,9 @@ bool Raster::on_a_line(Index x, Index y) const {
   };
   for (const auto& [dx, dy] : {std::pair(1, 0), {-1, 0}, {0, 1}, {0, -1}}) {
     const Sample* beyond = first_change(kLine, dx, dy);
-    if (beyond && (beyond->facet >= 0 || !first_change(kThin, -dx, -dy))) return true;
+    if (!beyond) continue;
+    const bool before_another = beyond->facet >= 0 && facets_[beyond->facet].body != body;
+    if (before_another || !first_change(kThin, -dx, -dy)) return true;
   }
   return false;
 }
