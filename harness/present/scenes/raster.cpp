@@ -115,15 +115,21 @@ bool Raster::changes(Index x, Index y, Index dx, Index dy) const {
   return jump > kJump || (jump > -kJump && facet.normal.dot(other.normal) < std::cos(kCrease));
 }
 
-/// What is thin has no lines, or nothing else would be seen of it.
+/// What is thin has lines before other bodies only, or nothing else would be seen of it.
 bool Raster::on_a_line(Index x, Index y) const {
-  const auto change_within = [&](Index samples, Index dx, Index dy) {
+  const std::size_t body = facets_[samples_[y * width_ + x].facet].body;
+  const auto first_change = [&](Index samples, Index dx, Index dy) -> const Sample* {
     for (Index away = 1; away <= samples; ++away)
-      if (changes(x, y, away * dx, away * dy)) return true;
-    return false;
+      if (changes(x, y, away * dx, away * dy))
+        return &samples_[(y + away * dy) * width_ + x + away * dx];
+    return nullptr;
   };
-  for (const auto& [dx, dy] : {std::pair(1, 0), {-1, 0}, {0, 1}, {0, -1}})
-    if (change_within(kLine, dx, dy) && !change_within(kThin, -dx, -dy)) return true;
+  for (const auto& [dx, dy] : {std::pair(1, 0), {-1, 0}, {0, 1}, {0, -1}}) {
+    const Sample* beyond = first_change(kLine, dx, dy);
+    if (!beyond) continue;
+    const bool before_another = beyond->facet >= 0 && facets_[beyond->facet].body != body;
+    if (before_another || !first_change(kThin, -dx, -dy)) return true;
+  }
   return false;
 }
 

@@ -269,11 +269,14 @@ TEST(Raster, LinesAreDrawnWhereWhatIsSeenEndsAndWhereItBendsAndNowhereElse) {
   for (std::size_t up = 100; up < 300; ++up) EXPECT_FALSE(dark(image, 160, up)) << "a diagonal";
 }
 
-TEST(Raster, WhatIsThinKeepsItsColour) {
+TEST(Raster, WhatIsThinKeepsItsColourButHasLinesBeforeOtherBodies) {
   Raster raster(kSize, kSize);
-  raster.add({Vector3d(20, 100, 0), Vector3d(180, 100, 0), Vector3d(180, 101.5, 0)}, 0, 0xffffff);
+  raster.add({Vector3d(20, 100, 9), Vector3d(180, 100, 9), Vector3d(180, 102, 9)}, 0, 0xffffff);
+  raster.add({Vector3d(100, 60, 0), Vector3d(200, 60, 0), Vector3d(150, 160, 0)}, 1, 0xffffff);
   const Decoded image(raster.png());
-  for (std::size_t x = 320; x < 340; ++x) EXPECT_FALSE(dark(image, x, 198)) << x;
+  for (std::size_t x = 180; x < 200; ++x) EXPECT_FALSE(dark(image, x, 199)) << x;
+  EXPECT_TRUE(dark(image, 320, 199));
+  EXPECT_FALSE(dark(image, 320, 201)) << "behind the line";
 }
 
 TEST(Raster, WithoutBodiesIsEmpty) {
