@@ -56,7 +56,8 @@ int print(Reproduction how, const PaperArguments& arguments, const Compute& comp
     made = compute(how, interrupted);
   }
   if (!made) return say_interrupted(how.directory);
-  const auto rendered = [&](TableFormat format) { return render(*made, format); };
+  const PaperPage page = page_of(*made);
+  const auto rendered = [&](TableFormat format) { return render(page, format); };
   fmt::print("{}", rendered(table_formats().at(arguments.format)));
   std::fflush(stdout);
   const std::string stem = how.directory.string() + (arguments.all_solvers ? "-all-solvers" : "");

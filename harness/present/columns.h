@@ -75,6 +75,7 @@ struct TextStyle {
   std::size_t width = 100;  ///< Letters of a line at most; what does not fit is folded.
   std::size_t widest = 44;  ///< A longer first cell stands on a line of its own.
   std::string empty = "-";  ///< For null.
+  std::size_t names = 1;    ///< Leading columns that together name a row.
 };
 
 /// The columns with a heading, each as wide as its widest cell; the first is the name of the row and

@@ -23,21 +23,29 @@ std::string written(const ColumnHead& head, const Cell& value) {
              : printed(head, value);
 }
 
-std::vector<PaperSection> sections_of(const std::vector<ChoiceTable>& tables) {
-  std::vector<PaperSection> sections;
-  for (const ChoiceTable& table : tables) {
-    PaperSection section{table.scene, {{{.heading = "choice"}, {.heading = "decided"}}, {}}, 2};
-    for (const Column<LoopColumn>& column : choice_columns())
-      section.cells.heads.push_back({.heading = column.key, .right = true});
-    for (std::size_t i = 0; i < choices().size(); ++i) {
-      std::vector<Cell> row = {choices()[i].what, choices()[i].way};
-      for (const Column<LoopColumn>& column : choice_columns())
-        row.push_back(written(column, column.value(table.columns[i])));
-      section.cells.rows.push_back(std::move(row));
-    }
-    sections.push_back(std::move(section));
+/// A figure of the summary by its name.
+std::function<Cell(const LoopColumn&)> figure(const char* name) {
+  return [name](const LoopColumn& column) -> Cell { return figures_of(column.summary).at(name); };
+}
+
+Cell nodes_a_frame(const LoopColumn& column) {
+  const auto frames = static_cast<double>(column.summary.total_frames);
+  return frames == 0 ? Cell() : Cell(static_cast<double>(column.summary.nodes) / frames);
+}
+
+PaperSection section_of(const ChoiceTable& table) {
+  PaperSection section{table.scene, {{{.heading = "choice"}, {.heading = "decided"}}, {}}};
+  for (ColumnHead head : choice_columns()) {
+    head.latex = head.key;
+    head.right = true;
+    section.cells.heads.push_back(head);
   }
-  return sections;
+  for (std::size_t i = 0; i < choices().size(); ++i) {
+    section.cells.rows.push_back({choices()[i].what, choices()[i].way});
+    for (const Column<LoopColumn>& column : choice_columns())
+      section.cells.rows.back().push_back(written(column, column.value(table.columns[i])));
+  }
+  return section;
 }
 
 /// Texts stand in quotes, whether they need it or not.
@@ -72,39 +80,26 @@ std::string json_of(const std::vector<ChoiceTable>& tables) {
   return Cell{{"rows", rows}}.dump(1) + "\n";
 }
 
-std::vector<std::string> notes() {
-  return {
-      "Every row drives its own simulation. A row differs from the first in its choice alone.",
-      "frames: with contact",
-      "failures: frictional LCPs not solved on the full LCP, at a natural residual of 1e-6 (the "
-      "paper's constants and the last active-only row: by its criterion at 1e-3)",
-      "frictionless failures: frictionless LCPs not solved",
-      "nodes: opened a frame",
-      "violated contacts: that close faster than 1e-6 of the fastest under the forces that act",
-      "residual: median natural residual of the solved",
-      "penetration: deepest",
-      "fell: tilted by more than 45 degrees, or ended early"};
-}
-
 }  // namespace
 
 const std::vector<Column<LoopColumn>>& choice_columns() {
   static const std::vector<Column<LoopColumn>> all = {
-      {{.key = "frames"}, [](const LoopColumn& c) { return c.summary.total_frames; }},
-      {{.key = "failures"}, [](const LoopColumn& c) { return c.summary.failure; }},
-      {{.key = "frictionless failures"},
-       [](const LoopColumn& c) { return c.summary.frictionless_failures; }},
-      {{.key = "nodes a frame", .number = "{:.1f}"},
-       [](const LoopColumn& c) {
-         const auto frames = static_cast<double>(c.summary.total_frames);
-         return frames == 0 ? Cell() : Cell(static_cast<double>(c.summary.nodes) / frames);
-       }},
-      {{.key = "violated contacts"}, [](const LoopColumn& c) { return c.summary.violated; }},
-      {{.key = "residual, median", .number = "{:.1e}"},
-       [](const LoopColumn& c) { return c.summary.residual_median; }},
-      {{.key = "penetration (mm)", .number = "{:.3g}", .scale = 1e3},
-       [](const LoopColumn& c) { return c.summary.depth_max; }},
-      {{.key = "fell"}, [](const LoopColumn& c) { return c.fell(); }}};
+      {{"frames", "frames", "with contact"}, figure("total_frames")},
+      {{"failures", "failed",
+        "frictional LCPs not solved on the full LCP, at a natural residual of 1e-6 (the paper's "
+        "constants and the last active-only row: by its criterion at 1e-3)"},
+       figure("failure")},
+      {{"frictionless failures", "smooth", "frictionless LCPs not solved"},
+       figure("frictionless_failures")},
+      {{"nodes a frame", "nodes", "opened a frame", "{:.1f}"}, nodes_a_frame},
+      {{"violated contacts", "closing",
+        "contacts that close faster than 1e-6 of the fastest under the forces that act"},
+       figure("violated")},
+      {{"residual, median", "resid.", "median natural residual of the solved", "{:.1e}"},
+       figure("residual_median")},
+      {{"penetration (mm)", "mm", "deepest penetration", "{:.3g}", 1e3}, figure("depth_max")},
+      {{"fell", "fell", "tilted by more than 45 degrees, or ended early"},
+       [](const LoopColumn& column) { return Cell(column.fell()); }}};
   return all;
 }
 
@@ -160,18 +155,14 @@ std::optional<std::vector<ChoiceTable>> decide_each_way(const Reproduction& how,
   return tables;
 }
 
-std::string render(const std::vector<ChoiceTable>& tables, TableFormat format) {
-  switch (format) {
-    case TableFormat::text:
-      return section_text(sections_of(tables), notes());
-    case TableFormat::csv:
-      return csv_of(tables);
-    case TableFormat::json:
-      return json_of(tables);
-    case TableFormat::latex:
-      break;
-  }
-  return section_latex(sections_of(tables));
+PaperPage page_of(const std::vector<ChoiceTable>& tables) {
+  PaperPage page{{}, {}, csv_of(tables), json_of(tables)};
+  for (const ChoiceTable& table : tables) page.sections.push_back(section_of(table));
+  page.notes = {
+      "Every row drives its own simulation. A row differs from the first in its choice alone."};
+  for (const Column<LoopColumn>& column : choice_columns())
+    page.notes.push_back(fmt::format("{:<6}  {}", column.heading, column.meaning));
+  return page;
 }
 
 }  // namespace lcp

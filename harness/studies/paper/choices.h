@@ -7,7 +7,7 @@
 
 #include "harness/present/columns.h"
 #include "harness/studies/paper/columns/loop_columns.h"
-#include "harness/studies/table/table.h"
+#include "harness/studies/paper/sections.h"
 
 namespace lcp {
 
@@ -37,7 +37,7 @@ struct ChoiceTable {
 std::optional<std::vector<ChoiceTable>> decide_each_way(const Reproduction& how,
                                                         const std::atomic<bool>& interrupted);
 
-/// `text`, `csv`, `json` or `latex`, as the paper's tables.
-std::string render(const std::vector<ChoiceTable>& tables, TableFormat format);
+/// Its json is {"rows": [...]} with the summary of each simulation, its csv has a line per simulation.
+PaperPage page_of(const std::vector<ChoiceTable>& tables);
 
 }  // namespace lcp

@@ -12,10 +12,19 @@ namespace {
 // Columns of the hoist that are compared with one another.
 constexpr const char *fine_hoist = "hoist", *coarse_hoist = "hoist:10ms";
 
+/// The threshold of ties, where the solver has one.
+nlohmann::json delta_of(const std::string& solver) {
+  const NamedSolver named = make_solver(solver);  // which the options' getters refer to
+  for (const Option& option : named.solver->options())
+    if (option.name == "delta") return std::stod(option.get());
+  return nullptr;
+}
+
 /// The object of one solver in the loop of a scene or on a corpus.
 Cell row_object(const PublishedTable& published, const std::string& name, const std::string& solver,
                 const std::string& corpus, const char* mode, const Acceptance& acceptance,
-                const nlohmann::json& values) {
+                nlohmann::json values) {
+  values["delta"] = delta_of(solver);
   Cell row = {{"table", published.table},
               {"column", name},
               {"solver", solver},
@@ -73,9 +82,8 @@ void add_corpora(PaperTable& table, const PaperColumns& columns) {
         layer.rows.emplace_back();
         for (const CorpusColumn& found : again ? columns.by_residual : columns.by_paper)
           if (found.corpus == corpus && found.solver == solver.solver)
-            layer.rows.back() =
-                row_object(table.published, solver.name, solver.solver, corpus, "corpus",
-                           again ? second_look : by_paper, values_of(found));
+            layer.rows.back() = row_object(table.published, solver.name, solver.solver, corpus,
+                                           "corpus", again ? second_look : by_paper, found.values);
       }
       table.layers.push_back(std::move(layer));
     }
@@ -83,45 +91,43 @@ void add_corpora(PaperTable& table, const PaperColumns& columns) {
 
 void add_hoists(PaperTable& table, const PaperColumns& columns) {
   const auto place = [&](const char* name) {
-    return static_cast<std::size_t>(std::find(table.names.begin(), table.names.end(), name) -
-                                    table.names.begin());
+    std::size_t at = 0;
+    while (at < table.columns.size() && table.columns[at].name != name) ++at;
+    return at;
   };
+  table.told_ratio = cell_of(table.published.value("time_ratio", fine_hoist));
+  table.printed_ratio = cell_of(printed_time_ratio(table.published));
   for (std::size_t i = 0; i < table.plan.solvers.size(); ++i) {
     const PaperColumn& solver = table.plan.solvers[i];
     if (solver.limit) continue;
     const LoopSummary& fine = columns.in_loop[i].at(place(fine_hoist)).summary;
     const LoopSummary& coarse = columns.in_loop[i].at(place(coarse_hoist)).summary;
-    table.hoists.push_back({solver.heading, solver.solver, time_ratio(fine, coarse),
-                            end_distance(fine, coarse, columns.lengths.at(place(fine_hoist)))});
+    table.hoists.push_back(
+        {solver.heading, solver.solver, cell_of(time_ratio(fine, coarse)),
+         cell_of(end_distance(fine, coarse, columns.lengths.at(place(fine_hoist))))});
   }
 }
 
 }  // namespace
 
-Cell value_in(const Cell& row, const std::string& key) {
-  return row.is_null() ? Cell() : row.at(key);
-}
-
 PaperTable set_together(const PaperPlan& plan, const PaperColumns& columns) {
-  PaperTable table{
-      .plan = plan, .published = published().table(plan.table), .source = published().source};
+  PaperTable table;
+  table.plan = plan;
+  table.published = published().table(plan.table);
+  table.source = published().source;
   const bool by_scene = plan.by_scene();
-  if (by_scene)
-    for (const PaperScene& each : plan.scenes) table.names.push_back(each.name);
-  else
-    for (const PaperColumn& each : plan.solvers) table.names.push_back(each.name);
-  for (std::size_t i = 0; i < table.names.size(); ++i)
-    table.headings.push_back(by_scene ? table.names[i] : plan.solvers[i].heading);
-
+  for (const PaperScene& each : plan.scenes)
+    if (by_scene) table.columns.push_back({each.name, each.name, ""});
+  if (!by_scene) table.columns = plan.solvers;
   const std::size_t lines = by_scene ? plan.solvers.size() : plan.scenes.size();
   for (std::size_t line = 0; line < lines; ++line) {
     PaperLayer layer{by_scene ? plan.solvers[line].heading : plan.scenes[line].name, "", false, {}};
-    for (std::size_t i = 0; i < table.names.size(); ++i) {
+    for (std::size_t i = 0; i < table.columns.size(); ++i) {
       const std::size_t at = by_scene ? i : line;
       const PaperColumn& solver = plan.solvers[by_scene ? line : i];
       const LoopColumn& column = columns.in_loop[by_scene ? line : i][at];
       const LoopSummary& summary = column.summary;
-      Cell row = loop_object(table.published, table.names[i], column);
+      Cell row = loop_object(table.published, table.columns[i].name, column);
       if (by_scene)
         add_motion(row, summary, columns.in_loop[reference_solver][at].summary,
                    columns.lengths[at]);
@@ -143,25 +149,30 @@ PaperTable set_together(const PaperPlan& plan, const PaperColumns& columns) {
   return table;
 }
 
-std::vector<PaperLine> lines_of(const PaperTable& table, const PaperQuantity& quantity) {
-  std::vector<PaperLine> lines = {
-      {table.published.at_most(quantity.key) ? "text: at most" : "published", {}}};
-  for (const std::string& name : table.names)
-    lines.front().cells.push_back({cell_of(table.published.value(quantity.key, name))});
-  for (const PaperLayer& layer : table.layers) {
-    if (!layer.section.empty() || (layer.second_look && !quantity.judged)) continue;
-    lines.push_back({layer.label, {}});
-    for (std::size_t i = 0; i < table.names.size(); ++i) {
-      const Cell value = value_in(layer.rows[i], quantity.key);
-      lines.back().cells.push_back(
-          {value,
-           !value.is_null() && table.published.departs(quantity.key, table.names[i], value)});
+std::vector<PaperLine> lines_of(const PaperTable& table, const PaperQuantity& quantity,
+                                const std::string& section) {
+  std::vector<PaperLine> lines;
+  const auto add = [&](const std::string& label, const auto& cell_at) {
+    PaperLine line{label, {}};
+    bool any = false;
+    for (std::size_t i = 0; i < table.columns.size(); ++i) {
+      line.cells.push_back(cell_at(i));
+      any = any || !line.cells.back().value.is_null();
     }
-  }
-  std::erase_if(lines, [](const PaperLine& line) {
-    return std::all_of(line.cells.begin(), line.cells.end(),
-                       [](const PaperCell& cell) { return cell.value.is_null(); });
-  });
+    if (any) lines.push_back(std::move(line));
+  };
+  if (section.empty())
+    add(table.published.at_most(quantity.key) ? "text: at most" : "published", [&](std::size_t i) {
+      return PaperCell{cell_of(table.published.value(quantity.key, table.columns[i].name))};
+    });
+  for (const PaperLayer& layer : table.layers)
+    if (layer.section == section && (quantity.judged || !layer.second_look))
+      add(layer.label, [&](std::size_t i) -> PaperCell {
+        if (layer.rows[i].is_null()) return {};
+        const Cell& value = layer.rows[i].at(quantity.key);
+        return {value, !value.is_null() &&
+                           table.published.departs(quantity.key, table.columns[i].name, value)};
+      });
   return lines;
 }
 
@@ -185,10 +196,6 @@ std::optional<double> printed_time_ratio(const PublishedTable& published) {
     total[coarse] = *time * *frames;
   }
   return total[0] / total[1];
-}
-
-std::optional<double> told_time_ratio(const PublishedTable& published) {
-  return published.value("time_ratio", fine_hoist);
 }
 
 std::optional<double> time_ratio(const LoopSummary& fine, const LoopSummary& coarse) {

@@ -4,10 +4,11 @@
 #include <string>
 #include <vector>
 
+#include "harness/studies/paper/columns/corpus.h"
 #include "harness/studies/paper/plan.h"
 #include "harness/studies/paper/published.h"
 #include "harness/studies/paper/quantities.h"
-#include "harness/studies/table/table.h"
+#include "harness/studies/paper/sections.h"
 
 namespace lcp {
 
@@ -31,27 +32,26 @@ struct PaperLayer {
 /// How a solver's hoist at 10 ms compares with that at 1 ms.
 struct PaperHoists {
   std::string heading, solver;
-  std::optional<double> time_ratio, end_distance;
+  Cell time_ratio, end_distance;  ///< Null where there is none.
 };
 
 /// A table of the paper beside what this program measured.
 struct PaperTable {
   PaperPlan plan;  ///< Its columns with their solvers.
   PublishedTable published;
-  std::string source;                        ///< Of what is published.
-  std::vector<std::string> names, headings;  ///< Of the columns: in `published`, for a reader.
-  std::vector<PaperLayer> layers;            ///< In the order of JSON.
-  std::vector<Cell> sweep;                   ///< As plan.deltas: objects of the JSON.
-  std::vector<PaperHoists> hoists;           ///< Of Table III, as its lines.
-  std::vector<std::string> broken;           ///< What ended early, a sentence each.
-  int jobs = 1;                              ///< Most simulations that ran at the same time.
+  std::string source;                ///< Of what is published.
+  std::vector<PaperColumn> columns;  ///< plan.solvers; in Table III the names of scenes.
+  std::vector<PaperLayer> layers;    ///< In the order of JSON.
+  std::vector<Cell> sweep;           ///< As plan.deltas: objects of the JSON.
+  std::vector<PaperHoists> hoists;   ///< Of Table III, as its lines.
+  /// That ratio by the paper's text and by its cells, which contradict the text.
+  Cell told_ratio = {}, printed_ratio = {};
+  std::vector<std::string> broken;  ///< What ended early, a sentence each.
+  int jobs = 1;                     ///< Most simulations that ran at the same time.
 };
 
 /// The section of Table III's solvers with a limit.
 inline constexpr const char* rest_section = "other solvers";
-
-/// A value of an object of the JSON; null where there is no object.
-Cell value_in(const Cell& row, const std::string& key);
 
 PaperTable set_together(const PaperPlan& plan, const PaperColumns& columns);
 
@@ -66,8 +66,10 @@ struct PaperLine {
   std::vector<PaperCell> cells;
 };
 
-/// The lines of a row: published, then those of the paper's table. Lines without any value are left out.
-std::vector<PaperLine> lines_of(const PaperTable& table, const PaperQuantity& quantity);
+/// The lines of a row in a section: published, which is in the paper's table alone, then its layers'.
+/// Lines without any value are left out.
+std::vector<PaperLine> lines_of(const PaperTable& table, const PaperQuantity& quantity,
+                                const std::string& section = "");
 
 /// Position of the column of the sweep with most successes among those whose robot did not fall (on
 /// its side it has fewer contacts, which are easier), with fewest pivots among equals.
@@ -77,9 +79,6 @@ std::size_t best_of(const std::vector<LoopColumn>& sweep);
 /// 10 ms, by the printed cells and by simulations; empty where either ended early.
 std::optional<double> printed_time_ratio(const PublishedTable& published);
 std::optional<double> time_ratio(const LoopSummary& fine, const LoopSummary& coarse);
-
-/// What the paper's text says of that ratio, which its cells contradict.
-std::optional<double> told_time_ratio(const PublishedTable& published);
 
 /// The distance of two motions, over the length of what moves, up to which they count as the same.
 inline constexpr double same_motion = 0.05;
@@ -98,9 +97,11 @@ struct Motion {
 
 Motion motion_of(const LoopSummary& motion, const LoopSummary& reference, double length);
 
-/// `text` for a terminal; `json` {"rows": [...]}, an object per column and mode with the fields of
-/// `lcpbench table` and a `published` object with the printed values; `csv`, a line per value;
-/// `latex`, plain tabulars.
-std::string render(const PaperTable& table, TableFormat format);
+/// `Table I. TITLE (SECTION)`.
+std::string title_of(const PaperTable& table);
+
+/// Its json is {"rows": [...]}, an object per column and mode with the fields of `lcpbench table` and a
+/// `published` object with the printed values, its csv a line per value.
+PaperPage page_of(const PaperTable& table);
 
 }  // namespace lcp

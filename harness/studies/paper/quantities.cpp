@@ -6,22 +6,12 @@
 #include <stdexcept>
 #include <utility>
 
-#include "solvers/registry.h"
-
 namespace lcp {
 
 namespace {
 
 constexpr const char *whole = "{:.0f}", *truth = "1 if so";
 constexpr bool by_criterion = true;
-
-/// The threshold of ties, where the solver has one.
-nlohmann::json delta_of(const std::string& solver) {
-  const NamedSolver named = make_solver(solver);  // which the options' getters refer to
-  for (const Option& option : named.solver->options())
-    if (option.name == "delta") return std::stod(option.get());
-  return nullptr;
-}
 
 }  // namespace
 
@@ -38,8 +28,8 @@ Cell PaperQuantity::stated(const std::optional<double>& value) const {
   return value && number == whole ? Cell(static_cast<Index>(*value)) : cell_of(value);
 }
 
-std::string PaperQuantity::shown(const Cell& value, const std::string& empty) const {
-  return printed(*this, unit == truth && !value.is_null() ? Cell(value != 0) : value, empty);
+Cell PaperQuantity::for_reader(const Cell& value) const {
+  return unit == truth && !value.is_null() ? Cell(value != 0) : value;
 }
 
 const std::vector<PaperQuantity>& paper_quantities() {
@@ -97,15 +87,9 @@ nlohmann::json values_of(const LoopColumn& column) {
   }
   const auto frames = static_cast<double>(summary.total_frames);
   for (const auto& [key, total] : {std::pair("nodes", summary.nodes), {"pivots", summary.pivots}})
-    values[key] = frames == 0 ? nlohmann::json() : nlohmann::json(static_cast<double>(total) / frames);
+    values[key] =
+        frames == 0 ? nlohmann::json() : nlohmann::json(static_cast<double>(total) / frames);
   values["fell"] = Index{column.fell()};
-  values["delta"] = delta_of(column.question.solver);
-  return values;
-}
-
-nlohmann::json values_of(const CorpusColumn& column) {
-  nlohmann::json values = column.values;
-  values["delta"] = delta_of(column.solver);
   return values;
 }
 

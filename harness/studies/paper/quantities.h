@@ -5,7 +5,6 @@
 #include <vector>
 
 #include "harness/present/columns.h"
-#include "harness/studies/paper/columns/corpus.h"
 #include "harness/studies/paper/columns/loop_columns.h"
 
 namespace lcp {
@@ -21,8 +20,8 @@ struct PaperQuantity : ColumnHead {
 
   /// A published value as JSON holds it: what is counted is a whole number.
   Cell stated(const std::optional<double>& value) const;
-  /// A value of JSON as a reader sees it; empty for null.
-  std::string shown(const Cell& value, const std::string& empty = "-") const;
+  /// A value of JSON as a reader gets it: yes or no where it is the truth of something.
+  Cell for_reader(const Cell& value) const;
 };
 
 /// All, in the order of JSON.
@@ -31,9 +30,8 @@ const std::vector<PaperQuantity>& paper_quantities();
 /// Throws std::invalid_argument on an unknown key.
 const PaperQuantity& paper_quantity(const std::string& key);
 
-/// The values of a column by the keys of the quantities, null or missing where there is none: all but
-/// `delta` are for a simulation that crashed before its first frame.
+/// The values of a simulation by the keys of the quantities, null or missing where there is none: all but
+/// `fell` are for one that crashed before its first frame.
 nlohmann::json values_of(const LoopColumn& column);
-nlohmann::json values_of(const CorpusColumn& column);
 
 }  // namespace lcp

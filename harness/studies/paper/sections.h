@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "harness/present/columns.h"
+#include "harness/studies/table/table.h"
 
 namespace lcp {
 
@@ -11,14 +12,18 @@ namespace lcp {
 struct PaperSection {
   std::string title;
   CellTable cells;
-  std::size_t names = 1;  ///< Leading columns that name a row, 1 or 2.
+  std::size_t names = 2;  ///< Leading columns that name a row.
 };
 
-/// For a terminal: the sections, then the notes, in lines of at most 100 letters.
-std::string section_text(const std::vector<PaperSection>& sections,
-                         const std::vector<std::string>& notes);
+/// What readers and programs get of a computation.
+struct PaperPage {
+  std::vector<PaperSection> sections;
+  std::vector<std::string> notes;
+  std::string csv, json;
+};
 
-/// A tabular per section, its title as a comment.
-std::string section_latex(const std::vector<PaperSection>& sections);
+/// `text` for a terminal: the sections, then the notes, in lines of at most 100 letters; `latex`, the notes
+/// as comments and a tabular per section; `csv` and `json` as they are.
+std::string render(const PaperPage& page, TableFormat format);
 
 }  // namespace lcp

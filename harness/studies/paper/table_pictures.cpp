@@ -71,7 +71,8 @@ DotPage picture_of(const PaperTable& table) {
     const PaperQuantity& quantity = paper_quantity(key);
     const std::vector<PaperLine> lines = lines_of(table, quantity);
     if (lines.empty() || lines.front().label != "published") continue;
-    DotPanel panel{unindented(quantity.heading), table.headings, {}};
+    DotPanel panel{unindented(quantity.heading), {}, {}};
+    for (const PaperColumn& column : table.columns) panel.rows.push_back(column.heading);
     for (const PaperLine& line : lines) {
       panel.series.push_back({entry(page, unindented(line.label)), {}});
       for (const PaperCell& cell : line.cells)

@@ -31,19 +31,6 @@ json to_json(const CorpusQuestion& question) {
           {"duration", question.duration ? json(*question.duration) : json()}};
 }
 
-/// Does what the system may refuse.
-template <class Change>
-void changing(const fs::path& path, const Change& change) {
-  std::error_code error;
-  change(error);
-  if (error)
-    throw UnwritableOutput(fmt::format("{}: cannot change: {}", path.string(), error.message()));
-}
-
-void remove_all_of(const fs::path& path) {
-  changing(path, [&](std::error_code& error) { fs::remove_all(path, error); });
-}
-
 /// The work of the process: all of the corpus, then its marker.
 void dump(const PaperDirectory& directory, const CorpusQuestion& question, const NamedScene& scene,
           const std::function<void()>& beat) {
@@ -58,8 +45,7 @@ void dump(const PaperDirectory& directory, const CorpusQuestion& question, const
       },
       never);
   corpus.close();
-  remove_all_of(place);
-  changing(place, [&](std::error_code& error) { fs::rename(unfinished, place, error); });
+  fs::rename(unfinished, place);
   const json marker = {{"question", to_json(question)},
                        {"commit", directory.commit()},
                        {"environment", directory.environment_id()},
@@ -149,8 +135,13 @@ std::optional<ScenesCorpus> find_corpus(const PaperDirectory& directory,
 
 void dump_corpus(const PaperDirectory& directory, const CorpusQuestion& question,
                  const std::atomic<bool>& interrupted) {
-  remove_all_of(directory.path() / "corpus.tmp");
-  remove_all_of(directory.path() / "corpus.json");
+  for (const char* part : {"corpus.json", "corpus", "corpus.tmp"}) {  // the marker first
+    std::error_code error;
+    fs::remove_all(directory.path() / part, error);
+    if (error)
+      throw UnwritableOutput(fmt::format("{}: cannot remove {}: {}", directory.path().string(),
+                                         part, error.message()));
+  }
   const NamedScene scene = scene_lasting(question.scene, question.duration);
   simulate_all(directory,
                {{"corpus of " + question.scene, steps_of(scene),
