@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "harness/studies/wilson.h"
+#include "solvers/names.h"
 #include "solvers/problem.h"
 
 namespace lcp {
@@ -76,6 +77,15 @@ struct ShareLine {
   double step = 0;  ///< Of the grid, where the line is.
   std::vector<double> crossings;
 };
+
+constexpr auto names_of(ShareLine::Kind) {
+  using enum ShareLine::Kind;
+  return EnumNames{"line", std::to_array<EnumName<ShareLine::Kind>>({{crossing, "crossing"},
+                                                                     {above, "above"},
+                                                                     {below, "below"},
+                                                                     {several, "several"},
+                                                                     {nothing, "nothing"}})};
+}
 
 /// Cells without counted draws are left out.
 ShareLine find_line(const std::vector<SharePoint>& points);
