@@ -50,7 +50,8 @@ double Trace::condition(const std::vector<int>& basic) const {
 std::vector<Column<Trace::Step>> Trace::columns() const {
   const auto name = [n = scaled_.size()](int variable) { return variable_name(variable, n); };
   return {
-      {{"", "pivot"}, [this](const Step& step) { return &step - steps_.data() + 1; }},
+      {{"", "pivot"},
+       [this](const Step& step) { return fmt::format("{:>5}", &step - steps_.data() + 1); }},
       {{"entering", "enters"}, [name](const Step& step) { return name(step.event.entering); }},
       {{"leaving", "leaves"}, [name](const Step& step) { return name(step.event.leaving); }},
       {{"row"}, [](const Step& step) { return step.event.row; }},

@@ -10,7 +10,7 @@ namespace lcp {
 
 namespace {
 
-constexpr PanelGrid panels_of_solvers{.top = 78};
+constexpr PanelGrid panels_of_solvers{.above = 52, .top = 78};
 constexpr Colour line_colour = 0xd55e00, band_colour = 0xe69f00, white = 0xffffff;
 constexpr double cell_gap = 0.02, band_width = 0.06;  // of a cell's width
 constexpr double dark_share = 0.6;                    // Above it a number is white.
@@ -67,19 +67,24 @@ Axis grid_axis(const KnobAxis& knob, std::size_t most) {
   return axis;
 }
 
+/// The solver's name, and below it how many columns have a line, over its panel.
+Panel heading_panel(const FrontierRow& row, const PageArea& area) {
+  Panel panel{
+      .area = {area.left, area.width, area.top - 18, 14}, .title = row.solver, .axes = false};
+  panel.series = {{.kind = Series::Kind::text,
+                   .marks = {{.x = 0.5, .y = 0.5, .text = panel_note(row), .look = {dark_grey}}},
+                   .size = 0.9,
+                   .align = Series::Align::centre}};
+  return panel;
+}
+
 Panel solver_panel(const FrontierGrid& grid, const FrontierRow& row, const PageArea& area) {
   using Kind = Series::Kind;
-  Panel panel{
-      .area = area, .title = row.solver, .x = grid_axis(grid.x, 7), .y = grid_axis(grid.y, 10)};
+  Panel panel{.area = area, .x = grid_axis(grid.x, 7), .y = grid_axis(grid.y, 10)};
   Series cells{.kind = Kind::boxes}, bands{.kind = Kind::boxes},
       line{.kind = Kind::line, .size = 2};
   Series places{.kind = Kind::points, .size = 0.8}, crossings{.kind = Kind::points};
   Series numbers{.kind = Kind::text, .size = 0.75, .align = Series::Align::centre};
-  Series note{.kind = Kind::text, .size = 0.9, .align = Series::Align::centre};
-  note.marks = {{.x = (panel.x.low + panel.x.high) / 2,
-                 .y = panel.y.high + 0.06 * (panel.y.high - panel.y.low),
-                 .text = panel_note(row),
-                 .look = {dark_grey}}};
   const std::vector<double> across = cell_edges(grid.x), up = cell_edges(grid.y);
   for (std::size_t i = 0; i < grid.x.size(); ++i) {
     const double x = grid.x.position(i), width = across[i + 1] - across[i];
@@ -113,7 +118,7 @@ Panel solver_panel(const FrontierGrid& grid, const FrontierRow& row, const PageA
                            .y_high = std::min(found.high, panel.y.high),
                            .look = {band_colour}});
   }
-  panel.series = {cells, bands, line, places, crossings, numbers, note};
+  panel.series = {cells, bands, line, places, crossings, numbers};
   return panel;
 }
 
@@ -122,21 +127,22 @@ Panel colour_scale() {
   constexpr int steps = 5;
   Panel panel{.area = {14, 170, 40, 18}, .axes = false};
   panel.x.high = steps;
-  Series patches{.kind = Series::Kind::boxes};
+  Series frame{.kind = Series::Kind::boxes}, patches{.kind = Series::Kind::boxes};
+  frame.marks = {{.x_low = 0, .x_high = steps, .y_low = 0, .y_high = 1, .look = {mid_grey}}};
   Series shares{.kind = Series::Kind::text, .size = 0.9, .align = Series::Align::centre};
   for (int i = 0; i < steps; ++i) {
     const double share = static_cast<double>(i) / (steps - 1);
     patches.marks.push_back({.x_low = i + 0.02,
                              .x_high = i + 0.98,
-                             .y_low = 0,
-                             .y_high = 1,
-                             .look = {i == 0 ? pale_grey : colour_of_share(share)}});
+                             .y_low = 0.06,
+                             .y_high = 0.94,
+                             .look = {colour_of_share(share)}});
     shares.marks.push_back({.x = i + 0.5,
                             .y = 0.5,
                             .text = fmt::format("{:.0f} %", 100 * share),
                             .look = {share > dark_share ? white : dark_grey}});
   }
-  panel.series = {patches, shares};
+  panel.series = {frame, patches, shares};
   return panel;
 }
 
@@ -158,8 +164,10 @@ Figure frontier_figure(const Frontier& frontier) {
                    {.name = "where a share that is not monotone crosses 1/2", .look = {black, 3}}};
   figure.legend_area = {200, figure.width - 200, 39, 20};
   figure.panels = {colour_scale()};
-  for (std::size_t i = 0; i < frontier.rows.size(); ++i)
+  for (std::size_t i = 0; i < frontier.rows.size(); ++i) {
+    figure.panels.push_back(heading_panel(frontier.rows[i], panels_of_solvers.area(i)));
     figure.panels.push_back(solver_panel(grid, frontier.rows[i], panels_of_solvers.area(i)));
+  }
   return figure;
 }
 

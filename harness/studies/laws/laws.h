@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "solvers/names.h"
 #include "solvers/registry.h"
 
 namespace lcp {
@@ -16,6 +17,13 @@ struct LawOutcome {
   } status;
   std::string detail;  ///< What broke the law, or why it does not apply.
 };
+
+/// As a reader sees them.
+constexpr auto names_of(LawOutcome::Status) {
+  using enum LawOutcome::Status;
+  return EnumNames{"outcome", std::to_array<EnumName<LawOutcome::Status>>(
+                                  {{holds, "ok"}, {broken, "FAIL"}, {not_applicable, "n/a"}})};
+}
 
 /// Something every row of the registry must obey, whatever its method.
 struct Law {

@@ -11,9 +11,9 @@ namespace lcp {
 namespace {
 
 /// The page, in pixels: names, the share solved undisturbed, and a column per kind.
-constexpr double names_top = 68, names_margin = 24, foot_height = 46;
+constexpr double names_top = 68, names_margin = 24, foot_height = 64;
 constexpr double solver_height = 22, name_letter = 6.9, least_names = 150;
-constexpr double column_width = 160, column_gap = 22;
+constexpr double column_width = 160, column_gap = 30;
 
 constexpr const char* column_title(DisturbanceKind kind) {
   constexpr const char* titles[] = {"last-bit noise", "rows permuted", "other units",

@@ -32,10 +32,13 @@ FlipColumns read_columns() {
   const auto tried = [](const FlipRow& row) { return row.trials > 0; };
   const auto other_z = [](const FlipRow& row) { return has_rate(row) && row.other_z > 0; };
   const auto spread = [](const FlipRow& row) { return has_rate(row) && row.pivot_ratio; };
-  const auto left_out = [](const char* heading, const char* meaning, Index FlipRow::*field) {
-    Column<FlipRow> column{{"", heading, meaning}, [=](const FlipRow& row) { return row.*field; }};
+  const auto if_any = [](Column<FlipRow> column) {
     column.only_if_any = true;
     return column;
+  };
+  const auto left_out = [&](const char* heading, const char* meaning, Index FlipRow::*field) {
+    return if_any({{"", heading, meaning},
+                   [=](const FlipRow& row) { return row.*field > 0 ? Cell(row.*field) : Cell(); }});
   };
   return {
       {{"", "kind"},
@@ -47,7 +50,7 @@ FlipColumns read_columns() {
             "trials whose verdict is solved where the undisturbed one is not (gained), or the "
             "reverse (lost)",
             has_rate, [](const FlipRow& row) { return row.flips(); }),
-      shown("95% interval",
+      shown("95%",
             "Wilson interval of flips / trials, as if trials of one instance were independent",
             has_rate,
             [](const FlipRow& row) {
@@ -63,13 +66,14 @@ FlipColumns read_columns() {
             [](const FlipRow& row) { return share(row.several, row.compared); }),
       shown("most", "solutions told apart on one instance", has_rate,
             [](const FlipRow& row) { return row.most_distinct; }),
-      shown("same w",
-            "of the solved runs whose z is not the undisturbed one's (the first solved run's), "
-            "those whose w is",
-            other_z, [](const FlipRow& row) { return share(row.other_z_same_w, row.other_z); }),
-      shown("same v",
-            "and those that move the contacts alike: v+ = W f + vbar (w without contacts)", other_z,
-            [](const FlipRow& row) { return share(row.other_z_same_motion, row.other_z); }),
+      if_any(shown(
+          "same w",
+          "of the solved runs whose z is not the undisturbed one's (the first solved run's), "
+          "those whose w is",
+          other_z, [](const FlipRow& row) { return share(row.other_z_same_w, row.other_z); })),
+      if_any(shown(
+          "same v", "and those that move the contacts alike: v+ = W f + vbar (w without contacts)",
+          other_z, [](const FlipRow& row) { return share(row.other_z_same_motion, row.other_z); })),
       shown("pivots", "median over the solved runs", tried,
             [](const FlipRow& row) { return cell_of(row.pivots); }),
       shown("spread", "most over least pivots on one instance: median, largest", spread,
