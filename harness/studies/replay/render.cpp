@@ -170,12 +170,14 @@ PivotColumns columns_of_run(const Replay& replay, Index n) {
 
 std::string pivots_text(const Replay& replay, Index n) {
   PivotColumns columns = columns_of_run(replay, n);
-  columns.insert(
-      columns.begin(),
-      {{"", "  pivot"}, [&replay](std::size_t k) {
-         const char* mark = is_at(replay.departure, k) ? "> " : is_at(replay.first_none, k) ? "0 " : "  ";
-         return k < replay.steps.size() ? fmt::format("{}{:>5}", mark, k + 1) : std::string();
-       }});
+  columns.insert(columns.begin(), {{"", "  pivot"}, [&replay](std::size_t k) {
+                                     const char* mark = is_at(replay.departure, k)    ? "> "
+                                                        : is_at(replay.first_none, k) ? "0 "
+                                                                                      : "  ";
+                                     return k < replay.steps.size()
+                                                ? fmt::format("{}{:>5}", mark, k + 1)
+                                                : std::string();
+                                   }});
   if (replay.comparison != Beside::none)
     columns.push_back({{"", "|"}, [](std::size_t) { return "|"; }});
   if (replay.comparison == Beside::path) {
