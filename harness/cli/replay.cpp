@@ -3,11 +3,11 @@
 #include <fmt/format.h>
 
 #include <limits>
-#include <memory>
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 
 #include "harness/cli/interrupt.h"
+#include "harness/cli/page.h"
 #include "harness/cli/progress.h"
 #include "harness/cli/reading.h"
 #include "harness/cli/start.h"
@@ -70,49 +70,45 @@ int replay_instance(const ReplayArguments& arguments) {
   return interrupted ? interrupted_by_user : done;
 }
 
+void replay_options(CLI::App& page, ReplayArguments& arguments) {
+  ReplayOptions& options = arguments.options;
+  add(page, "INSTANCE", arguments.where, "FILE of one instance, or FILE#NAME")->required();
+  add(page, "--solver", arguments.solver, "NAME[:key=value,...]")->required();
+  add_with_default(page, "--start", arguments.start,
+                   "Where the solver starts: cold, two-step, previous",
+                   CLI::IsMember({"cold", "two-step", "previous"}));
+  add_with_default(page, "--window", arguments.window,
+                   "Pivots shown before the first wrong one; half as many after it",
+                   CLI::Range(0, 1'000'000));
+  page.add_flag("--all", arguments.all, "Print every pivot");
+  add_with_default(page, "--zero", options.high.zero,
+                   "A number is 0 in 113 bits if below this times its estimated error",
+                   CLI::Range(1.0, 1e12));
+  add_with_default(page, "--most-pivots", options.high.most_pivots,
+                   "Pivots followed in 113 bits, of a search: pivots checked",
+                   CLI::Range(1, 1'000'000));
+  add_with_default(page, "--largest-condition", options.largest_condition,
+                   "Rows above which no condition of the basis is computed; it costs n^3 a pivot",
+                   CLI::NonNegativeNumber);
+  add_with_default(page, "--tolerance", options.tolerance,
+                   "Largest natural residual (scaled) that counts as solved", CLI::PositiveNumber);
+  page.add_flag("--json", arguments.json, "As JSON");
+  add_reading_option(page, arguments.reading);
+}
+
 }  // namespace
 
 Verb add_replay(CLI::App& program) {
-  CLI::App* page = program.add_subcommand(
-      "replay", "Follow a solve pivot by pivot beside its rule in 113 bits: the first wrong pivot");
-  auto arguments = std::make_shared<ReplayArguments>();
-  ReplayOptions& options = arguments->options;
-  page->add_option("INSTANCE", arguments->where, "FILE of one instance, or FILE#NAME")->required();
-  page->add_option("--solver", arguments->solver, "NAME[:key=value,...]")->required();
-  page->add_option("--start", arguments->start, "Where the solver starts: cold, two-step, previous")
-      ->check(CLI::IsMember({"cold", "two-step", "previous"}))
-      ->capture_default_str();
-  page->add_option("--window", arguments->window,
-                   "Pivots shown before the first wrong one; half as many after it")
-      ->check(CLI::Range(0, 1'000'000))
-      ->capture_default_str();
-  page->add_flag("--all", arguments->all, "Print every pivot");
-  page->add_option("--zero", options.high.zero,
-                   "A number is 0 in 113 bits if below this times its estimated error")
-      ->check(CLI::Range(1.0, 1e12))
-      ->capture_default_str();
-  page->add_option("--most-pivots", options.high.most_pivots,
-                   "Pivots followed in 113 bits, of a search: pivots checked")
-      ->check(CLI::Range(1, 1'000'000))
-      ->capture_default_str();
-  page->add_option("--largest-condition", options.largest_condition,
-                   "Rows above which no condition of the basis is computed; it costs n^3 a pivot")
-      ->check(CLI::NonNegativeNumber)
-      ->capture_default_str();
-  page->add_option("--tolerance", options.tolerance,
-                   "Largest natural residual (scaled) that counts as solved")
-      ->check(CLI::PositiveNumber)
-      ->capture_default_str();
-  page->add_flag("--json", arguments->json, "As JSON");
-  add_reading_option(*page, arguments->reading);
-  page->footer(
+  return make_verb<ReplayArguments>(
+      program, "replay",
+      "Follow a solve pivot by pivot beside its rule in 113 bits: the first wrong pivot",
+      replay_options, replay_instance,
       "The rules of lemke* and lexicographic* are followed in 113 bits (__float128), where M and q "
       "are\n"
       "exact; the pivots of best-first* are checked one by one from the same basis.\n"
       "Marks: > the first wrong pivot, 0 the first that is none in 113 bits.\n"
       "Example:\n  lcpbench replay squat.hdf5#squat-like/0009 --solver lemke\n"
       "  lcpbench replay squat.hdf5#squat-like/0009 --solver lexicographic:delta=1e-6 --all");
-  return {page, [arguments] { return replay_instance(*arguments); }};
 }
 
 }  // namespace lcp::cli

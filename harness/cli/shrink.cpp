@@ -4,11 +4,11 @@
 
 #include <cstdio>
 #include <filesystem>
-#include <memory>
 #include <optional>
 #include <stdexcept>
 
 #include "harness/cli/interrupt.h"
+#include "harness/cli/page.h"
 #include "harness/cli/progress.h"
 #include "harness/cli/quantity.h"
 #include "harness/cli/reading.h"
@@ -109,42 +109,36 @@ int shrink_instance(const ShrinkArguments& arguments) {
   return interrupted ? interrupted_by_user : done;
 }
 
+void shrink_options(CLI::App& page, ShrinkArguments& arguments) {
+  add(page, "INSTANCE", arguments.where, "FILE of one instance, or FILE#NAME")->required();
+  add(page, "--solver", arguments.solver, "NAME[:key=value,...] that fails on it")->required();
+  add_with_default(page, "--keep", arguments.keep,
+                   "What has to stay: the same verdict, or any failure",
+                   CLI::IsMember({"verdict", "failure"}));
+  page.add_flag("--solvable,!--no-solvable", arguments.solvable,
+                "Only what the reference solves and z = 0 does not (the default), or anything");
+  add_with_default(page, "--reference", arguments.reference,
+                   "NAME[:key=value,...] that shows what is left to have a solution");
+  page.add_flag("--by-rounding", arguments.by_rounding,
+                "Only what the same rule solves in 113 bits (lemke*, lexicographic*)");
+  add_with_default(page, "--tolerance", arguments.tolerance,
+                   "Largest natural residual (scaled) that counts as solved", CLI::PositiveNumber);
+  add_with_default(page, "--timeout", arguments.timeout, "Of one solve: number with ms, s or min");
+  add_with_default(page, "--memory", arguments.memory,
+                   "Resident memory of a worker: number with KiB, MiB or GiB");
+  add_with_default(page, "--max-solves", arguments.max_solves,
+                   "Solves of both solvers before what is left is taken as it is",
+                   CLI::PositiveNumber);
+  add(page, "--out", arguments.out, "File to write: .hdf5, .json or NAME.M.mtx")->required();
+  add_reading_option(page, arguments.reading);
+}
+
 }  // namespace
 
 Verb add_shrink(CLI::App& program) {
-  CLI::App* page = program.add_subcommand(
-      "shrink", "Reduce an instance on which a solver fails to what the failure needs");
-  auto arguments = std::make_shared<ShrinkArguments>();
-  page->add_option("INSTANCE", arguments->where, "FILE of one instance, or FILE#NAME")->required();
-  page->add_option("--solver", arguments->solver, "NAME[:key=value,...] that fails on it")
-      ->required();
-  page->add_option("--keep", arguments->keep, "What has to stay: the same verdict, or any failure")
-      ->check(CLI::IsMember({"verdict", "failure"}))
-      ->capture_default_str();
-  page->add_flag("--solvable,!--no-solvable", arguments->solvable,
-                 "Only what the reference solves and z = 0 does not (the default), or anything");
-  page->add_option("--reference", arguments->reference,
-                   "NAME[:key=value,...] that shows what is left to have a solution")
-      ->capture_default_str();
-  page->add_flag("--by-rounding", arguments->by_rounding,
-                 "Only what the same rule solves in 113 bits (lemke*, lexicographic*)");
-  page->add_option("--tolerance", arguments->tolerance,
-                   "Largest natural residual (scaled) that counts as solved")
-      ->check(CLI::PositiveNumber)
-      ->capture_default_str();
-  page->add_option("--timeout", arguments->timeout, "Of one solve: number with ms, s or min")
-      ->capture_default_str();
-  page->add_option("--memory", arguments->memory,
-                   "Resident memory of a worker: number with KiB, MiB or GiB")
-      ->capture_default_str();
-  page->add_option("--max-solves", arguments->max_solves,
-                   "Solves of both solvers before what is left is taken as it is")
-      ->check(CLI::PositiveNumber)
-      ->capture_default_str();
-  page->add_option("--out", arguments->out, "File to write: .hdf5, .json or NAME.M.mtx")
-      ->required();
-  add_reading_option(*page, arguments->reading);
-  page->footer(
+  return make_verb<ShrinkArguments>(
+      program, "shrink", "Reduce an instance on which a solver fails to what the failure needs",
+      shrink_options, shrink_instance,
       "Takes away contacts, friction directions, rows and digits (delta debugging), each "
       "candidate\n"
       "solved in a process of its own, started cold. Same input, same name and content.\n"
@@ -152,7 +146,6 @@ Verb add_shrink(CLI::App& program) {
       "  lcpbench shrink squat.hdf5#squat-like/0009 --solver lemke --out small.hdf5\n"
       "  lcpbench shrink frame.hdf5 --solver lemke --by-rounding --out small.hdf5\n"
       "  lcpbench shrink frame.hdf5 --solver dart-lemke --keep failure --out small.hdf5");
-  return {page, [arguments] { return shrink_instance(*arguments); }};
 }
 
 }  // namespace lcp::cli

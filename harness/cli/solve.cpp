@@ -3,12 +3,11 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include <memory>
 #include <nlohmann/json.hpp>
 
+#include "harness/cli/page.h"
 #include "harness/cli/reading.h"
 #include "harness/cli/start.h"
-#include "harness/cli/verbs.h"
 #include "harness/judge/judge.h"
 #include "harness/record.h"
 #include "harness/studies/trace.h"
@@ -24,7 +23,7 @@ constexpr Index printed_entries = 12;  ///< Longer z are printed as the rows tha
 struct SolveArguments {
   std::string where;
   ReadOptions reading;
-  std::vector<std::string> solvers;
+  std::vector<std::string> solvers = {"own"};
   std::vector<std::string> starts = {"cold"};
   double tolerance = 1e-6;
   bool trace = false;
@@ -109,31 +108,27 @@ int solve(const SolveArguments& arguments) {
   return done;
 }
 
+void solve_options(CLI::App& page, SolveArguments& arguments) {
+  add(page, "INSTANCE", arguments.where, "FILE, FILE#NAME or directory")->required();
+  add_with_default(page, "--solver", arguments.solvers,
+                   "NAME[:key=value,...], pattern, own (no peers) or all; repeatable");
+  add_start_option(page, arguments.starts);
+  add_with_default(page, "--tolerance", arguments.tolerance,
+                   "Largest natural residual (scaled) that counts as solved", CLI::PositiveNumber);
+  page.add_flag("--trace", arguments.trace,
+                "Print every pivot: what enters and leaves, ratio, ties, size, condition");
+  page.add_flag("--json", arguments.json, "As JSON");
+  add_reading_option(page, arguments.reading);
+}
+
 }  // namespace
 
 Verb add_solve(CLI::App& program) {
-  CLI::App* page = program.add_subcommand(
-      "solve", "Solve instances in this process, for debuggers and sanitizers; no times");
-  auto arguments = std::make_shared<SolveArguments>();
-  arguments->solvers = {"own"};
-  page->add_option("INSTANCE", arguments->where, "FILE, FILE#NAME or directory")->required();
-  page->add_option("--solver", arguments->solvers,
-                   "NAME[:key=value,...], pattern, own (no peers) or all; repeatable")
-      ->allow_extra_args(false)
-      ->capture_default_str();
-  add_start_option(*page, arguments->starts);
-  page->add_option("--tolerance", arguments->tolerance,
-                   "Largest natural residual (scaled) that counts as solved")
-      ->check(CLI::PositiveNumber)
-      ->capture_default_str();
-  page->add_flag("--trace", arguments->trace,
-                 "Print every pivot: what enters and leaves, ratio, ties, size, condition");
-  page->add_flag("--json", arguments->json, "As JSON");
-  add_reading_option(*page, arguments->reading);
-  page->footer(
+  return make_verb<SolveArguments>(
+      program, "solve", "Solve instances in this process, for debuggers and sanitizers; no times",
+      solve_options, solve,
       "Example:\n  lcpbench solve squat.hdf5#squat-like/0003 --solver best-first --trace\n"
       "  lcpbench solve squat.hdf5 --solver best-first --start cold --start previous");
-  return {page, [arguments] { return solve(*arguments); }};
 }
 
 }  // namespace lcp::cli

@@ -4,10 +4,9 @@
 #include <fmt/ranges.h>
 
 #include <cstdio>
-#include <memory>
 
 #include "harness/cli/measurement.h"
-#include "harness/cli/verbs.h"
+#include "harness/cli/page.h"
 
 namespace lcp::cli {
 
@@ -35,28 +34,27 @@ int sweep(const SweepArguments& arguments) {
                  "runs/sweep-" + fit_for_a_file(parse_spelling(arguments.solvers.front()).name));
 }
 
+void sweep_options(CLI::App& page, SweepArguments& arguments) {
+  add(page, "--solver", arguments.solvers, "NAME[:key=value,...], pattern, own or all; repeatable")
+      ->required();
+  add(page, "--option", arguments.options,
+      "Option whose ladder is climbed; repeatable. Default: all that have one");
+  add_options(page, arguments.measurement);
+}
+
 }  // namespace
 
 Verb add_sweep(CLI::App& program) {
-  CLI::App* page = program.add_subcommand(
-      "sweep", "Measure solvers along their accuracy options: the sheet of speed against accuracy");
-  auto arguments = std::make_shared<SweepArguments>();
-  page->add_option("--solver", arguments->solvers,
-                   "NAME[:key=value,...], pattern, own or all; repeatable")
-      ->required()
-      ->allow_extra_args(false);
-  page->add_option("--option", arguments->options,
-                   "Option whose ladder is climbed; repeatable. Default: all that have one")
-      ->allow_extra_args(false);
-  add_options(*page, arguments->measurement);
-  page->footer(
+  return make_verb<SweepArguments>(
+      program, "sweep",
+      "Measure solvers along their accuracy options: the sheet of speed against accuracy",
+      sweep_options, sweep,
       "Each option is varied alone. Rows of a pattern without a ladder run as they are. The "
       "ladders: "
       "lcpbench list solvers.\n"
       "Example:\n"
       "  lcpbench sweep --solver own --corpus squat.hdf5 --limit 5\n"
       "  lcpbench sweep --solver best-first --option epsilon --suite contact --every 10");
-  return {page, [arguments] { return sweep(*arguments); }};
 }
 
 }  // namespace lcp::cli

@@ -1,36 +1,29 @@
 #include <fmt/format.h>
 
 #include <cstdio>
-#include <memory>
 
-#include "harness/cli/verbs.h"
+#include "harness/cli/page.h"
 #include "harness/studies/laws/laws.h"
 
 namespace lcp::cli {
 
 namespace {
 
-const char* word(LawOutcome::Status status) {
-  switch (status) {
-    case LawOutcome::Status::holds:
-      return "ok";
-    case LawOutcome::Status::broken:
-      return "FAIL";
-    case LawOutcome::Status::not_applicable:
-      return "n/a";
-  }
-  return "";
-}
+struct TestSolverArguments {
+  std::string name;
+};
 
-int test_solvers(const std::string& pattern) {
+constexpr const char* words[] = {"ok", "FAIL", "n/a"};  // as LawOutcome::Status
+
+int test_solvers(const TestSolverArguments& arguments) {
   bool all_hold = true;
-  for (const NamedSolver& solver : make_solvers({pattern})) {
+  for (const NamedSolver& solver : make_solvers({arguments.name})) {
     fmt::print("{}\n", solver.spelling);
     for (const Law& law : laws()) {
       fmt::print("  {:<16} ", law.name);
       std::fflush(stdout);  // so that a law that hangs or crashes is named
       const LawOutcome outcome = check(law, solver);
-      fmt::print("{:<5} {}{}{}\n", word(outcome.status), law.statement,
+      fmt::print("{:<5} {}{}{}\n", words[static_cast<int>(outcome.status)], law.statement,
                  outcome.detail.empty() ? "" : ": ", outcome.detail);
       if (outcome.status == LawOutcome::Status::broken) all_hold = false;
     }
@@ -41,12 +34,13 @@ int test_solvers(const std::string& pattern) {
 }  // namespace
 
 Verb add_test_solver(CLI::App& program) {
-  CLI::App* page =
-      program.add_subcommand("test-solver", "Check the laws that every solver must obey");
-  auto name = std::make_shared<std::string>();
-  page->add_option("NAME", *name, "NAME[:key=value,...], pattern or all")->required();
-  page->footer("Exit status 1 if a law is broken.\nExample:\n  lcpbench test-solver best-first");
-  return {page, [name] { return test_solvers(*name); }};
+  return make_verb<TestSolverArguments>(
+      program, "test-solver", "Check the laws that every solver must obey",
+      [](CLI::App& page, TestSolverArguments& arguments) {
+        add(page, "NAME", arguments.name, "NAME[:key=value,...], pattern or all")->required();
+      },
+      test_solvers,
+      "Exit status 1 if a law is broken.\nExample:\n  lcpbench test-solver best-first");
 }
 
 }  // namespace lcp::cli

@@ -12,9 +12,8 @@ namespace lcp {
 
 namespace {
 
-OptionTable ladders(OptionTable table) {
-  std::erase_if(table, [](const Option& option) { return option.accuracy_ladder.empty(); });
-  return table;
+bool holds(const std::vector<std::string>& names, const std::string& name) {
+  return std::find(names.begin(), names.end(), name) != names.end();
 }
 
 bool sets(const Spelling& spelling, const std::string& option) {
@@ -22,79 +21,69 @@ bool sets(const Spelling& spelling, const std::string& option) {
                      [&](const auto& setting) { return setting.first == option; });
 }
 
+OptionTable with_ladders(const NamedSolver& solver) {
+  OptionTable table = solver.solver->options();
+  std::erase_if(table, [](const Option& option) { return option.accuracy_ladder.empty(); });
+  return table;
+}
+
+/// `solver` along each of `options` (all, where none are named) that has a ladder and that it leaves
+/// open.
+std::vector<std::string> climbed(const std::string& solver, const OptionTable& ladders,
+                                 const std::vector<std::string>& options) {
+  const Spelling spelling = parse_spelling(solver);
+  std::vector<std::string> settings;
+  for (const Option& option : ladders)
+    if ((options.empty() || holds(options, option.name)) && !sets(spelling, option.name))
+      for (const std::string& value : option.accuracy_ladder)
+        settings.push_back(fmt::format("{}{}{}={}", solver, spelling.settings.empty() ? ':' : ',',
+                                       option.name, value));
+  return settings;
+}
+
 }  // namespace
 
 std::vector<std::string> sweep_settings(const std::string& solver,
                                         const std::vector<std::string>& options) {
   const Spelling spelling = parse_spelling(solver);
-  const NamedSolver made = make_solver(solver);  // refuses a misspelt one
-  const OptionTable table = ladders(made.solver->options());
+  const OptionTable ladders = with_ladders(make_solver(solver));  // refuses a misspelt one
   std::vector<std::string> names;
-  for (const Option& option : table) names.push_back(option.name);
+  for (const Option& option : ladders) names.push_back(option.name);
   if (names.empty())
     throw std::invalid_argument(
         fmt::format("{} has no option that trades speed for accuracy", spelling.name));
   for (const std::string& option : options) {
-    if (std::find(names.begin(), names.end(), option) == names.end())
+    if (!holds(names, option))
       throw std::invalid_argument(fmt::format("{} cannot sweep '{}', it can: {}", spelling.name,
                                               option, fmt::join(names, ", ")));
     if (sets(spelling, option))
       throw std::invalid_argument(
           fmt::format("'{}' is both swept and set in '{}'", option, solver));
   }
-
-  std::vector<std::string> settings;
-  for (const Option& option : table) {
-    const bool wanted =
-        options.empty() ? !sets(spelling, option.name)
-                        : std::find(options.begin(), options.end(), option.name) != options.end();
-    if (!wanted) continue;
-    for (const std::string& value : option.accuracy_ladder)
-      settings.push_back(fmt::format("{}{}{}={}", solver, spelling.settings.empty() ? ':' : ',',
-                                     option.name, value));
-  }
-  return settings;
+  return climbed(solver, ladders, options);
 }
-
-namespace {
-
-/// Those of `options` along which `solver` can be swept; all of its own where none are named.
-std::vector<std::string> options_to_climb(const NamedSolver& solver,
-                                          const std::vector<std::string>& options) {
-  const Spelling spelling = parse_spelling(solver.spelling);
-  std::vector<std::string> found;
-  for (const Option& option : ladders(solver.solver->options())) {
-    const bool wanted =
-        options.empty() || std::find(options.begin(), options.end(), option.name) != options.end();
-    if (wanted && !sets(spelling, option.name)) found.push_back(option.name);
-  }
-  return found;
-}
-
-}  // namespace
 
 SweepPlan plan_sweep(const std::vector<std::string>& solvers,
                      const std::vector<std::string>& options) {
   SweepPlan plan;
   bool any = false;
-  const auto climb = [&](const std::string& solver, const std::vector<std::string>& along) {
+  const auto add = [&](const std::vector<std::string>& settings) {
     any = true;
-    for (std::string& setting : sweep_settings(solver, along))
-      plan.settings.push_back(std::move(setting));
+    plan.settings.insert(plan.settings.end(), settings.begin(), settings.end());
   };
   for (const std::string& text : solvers) {
     if (!names_several(text)) {
-      climb(text, options);
+      add(sweep_settings(text, options));
       continue;
     }
     for (const NamedSolver& solver : make_solvers({text})) {
-      const std::vector<std::string> along = options_to_climb(solver, options);
-      if (!along.empty()) {
-        climb(solver.spelling, along);
-      } else {
-        plan.settings.push_back(solver.spelling);
-        plan.without_ladder.push_back(solver.spelling);
+      const auto settings = climbed(solver.spelling, with_ladders(solver), options);
+      if (!settings.empty()) {
+        add(settings);
+        continue;
       }
+      plan.settings.push_back(solver.spelling);
+      plan.without_ladder.push_back(solver.spelling);
     }
   }
   if (!any)

@@ -47,42 +47,36 @@ double Trace::condition(const std::vector<int>& basic) const {
   return least > 0 ? values(0) / least : std::numeric_limits<double>::infinity();
 }
 
+std::vector<Column<Trace::Step>> Trace::columns() const {
+  const auto name = [n = scaled_.size()](int variable) { return variable_name(variable, n); };
+  return {
+      {{"", "pivot"},
+       [this](const Step& step) { return fmt::format("{:>5}", &step - steps_.data() + 1); }},
+      {{"entering", "enters"}, [name](const Step& step) { return name(step.event.entering); }},
+      {{"leaving", "leaves"}, [name](const Step& step) { return name(step.event.leaving); }},
+      {{"row"}, [](const Step& step) { return step.event.row; }},
+      {{"ratio", "ratio", "", "{:.4g}"}, [](const Step& step) { return step.event.ratio; }},
+      {{"tied", "tied"}, [](const Step& step) { return step.event.tied; }},
+      {{"pivot", "pivot size", "", "{:.4g}"}, [](const Step& step) { return step.event.pivot; }},
+      {{"condition", "condition", "", "{:.3g}"},
+       [](const Step& step) { return step.condition ? Cell(*step.condition) : Cell(); }},
+      {{"node", "node"}, [](const Step& step) { return step.event.node; }},
+      {{"parent", "parent"}, [](const Step& step) { return step.event.parent; }}};
+}
+
 std::string Trace::text() const {
   if (steps_.empty()) return "  no pivots\n";
+  std::vector<Column<Step>> shown = columns();
   const bool search = std::any_of(steps_.begin(), steps_.end(), [](const Step& step) {
     return step.event.parent != step.event.node - 1;
   });
-  const Index n = scaled_.size();
-  std::string out = fmt::format("  {:>6} {:>7} {:>7} {:>11} {:>5} {:>11} {:>10}", "pivot", "enters",
-                                "leaves", "ratio", "tied", "pivot size", "condition");
-  out += search ? fmt::format(" {:>6} {:>6}\n", "node", "parent") : "\n";
-  for (std::size_t k = 0; k < steps_.size(); ++k) {
-    const PivotEvent& event = steps_[k].event;
-    out += fmt::format("  {:>6} {:>7} {:>7} {:>11.4g} {:>5} {:>11.4g} {:>10}", k + 1,
-                       variable_name(event.entering, n), variable_name(event.leaving, n),
-                       event.ratio, event.tied, event.pivot,
-                       steps_[k].condition ? fmt::format("{:.3g}", *steps_[k].condition) : "-");
-    out += search ? fmt::format(" {:>6} {:>6}\n", event.node, event.parent) : "\n";
-  }
-  return out;
+  if (!search) shown.resize(shown.size() - 2);  // node and parent
+  return text_table(cells_of(shown, steps_), {.indent = "  "});
 }
 
 nlohmann::ordered_json Trace::json() const {
-  const Index n = scaled_.size();
   nlohmann::ordered_json json = nlohmann::ordered_json::array();
-  for (const Step& step : steps_) {
-    const PivotEvent& event = step.event;
-    json.push_back({{"entering", variable_name(event.entering, n)},
-                    {"leaving", variable_name(event.leaving, n)},
-                    {"row", event.row},
-                    {"ratio", event.ratio},
-                    {"tied", event.tied},
-                    {"pivot", event.pivot},
-                    {"condition", nullptr},
-                    {"node", event.node},
-                    {"parent", event.parent}});
-    if (step.condition) json.back()["condition"] = *step.condition;
-  }
+  for (const Step& step : steps_) json.push_back(json_object(columns(), step));
   return json;
 }
 

@@ -1,11 +1,11 @@
 #pragma once
 
 #include <limits>
-#include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "harness/present/columns.h"
 #include "solvers/linalg/scaled_problem.h"
 
 namespace lcp {
@@ -36,6 +36,8 @@ class Trace {
 
   const std::vector<Step>& steps() const { return steps_; }
 
+  /// What is told of a step; valid as long as this object.
+  std::vector<Column<Step>> columns() const;
   /// A line per pivot; with nodes and their parents where a search went back.
   std::string text() const;
   nlohmann::ordered_json json() const;

@@ -4,17 +4,15 @@
 
 #include <chrono>
 #include <cstdio>
-#include <memory>
 #include <optional>
 
 #include "harness/cli/interrupt.h"
 #include "harness/cli/measurement.h"
+#include "harness/cli/page.h"
+#include "harness/cli/progress.h"
 #include "harness/cli/quantity.h"
 #include "harness/cli/stability/parts.h"
-#include "harness/cli/progress.h"
-#include "harness/studies/frontier/frontier_chart.h"
-#include "harness/studies/frontier/frontier_render.h"
-#include "problems/io/replace_file.h"
+#include "harness/studies/frontier/frontier_pages.h"
 #include "solvers/options.h"
 
 namespace lcp::cli {
@@ -92,12 +90,6 @@ int dry_run(const FrontierPlan& plan, bool twice) {
   return done;
 }
 
-std::string render(const FrontierReport& report, const std::string& format) {
-  if (format == "csv") return frontier_csv(report);
-  if (format == "json") return frontier_json(report).dump(1) + "\n";
-  return frontier_text(report);
-}
-
 /// Draws into `directory`; empty when interrupted.
 std::optional<Frontier> draw(const fs::path& directory, const FrontierPlan& plan, bool resume) {
   ProgressBar bar;
@@ -115,86 +107,69 @@ int frontier(const FrontierArguments& arguments) {
           ? arguments.measurement.out
           : fmt::format("runs/frontier-{}-{}-{}", parse_spelling(plan.grid.family).name,
                         plan.grid.x.knob, plan.grid.y.knob);
-
-  FrontierReport report;
-  bool whole = false;
-  if (std::optional<Frontier> first = draw(out, plan, arguments.measurement.resume)) {
-    report.first = std::move(*first);
-    whole = true;
-  }
-  if (whole && arguments.check_seed) {
+  const bool resume = arguments.measurement.resume;
+  std::optional<Frontier> first = draw(out, plan, resume), second;
+  if (first && arguments.check_seed) {
     FrontierPlan again = plan;
     again.seed = *arguments.check_seed;
-    report.second =
-        draw(out / fmt::format("seed-{}", again.seed), again, arguments.measurement.resume);
-    whole = report.second.has_value();
+    second = draw(out / fmt::format("seed-{}", again.seed), again, resume);
   }
-  if (!whole) {
-    fmt::print(stderr,
-               "interrupted: the rows so far are in {}; the same command with --resume goes on\n",
-               out.string());
-    return interrupted_by_user;
-  }
-  replace_file((out / "frontier.txt").string(), render(report, "text"));
-  replace_file((out / "frontier.csv").string(), render(report, "csv"));
-  replace_file((out / "frontier.json").string(), render(report, "json"));
-  fmt::print("{}", render(report, arguments.format));
-  std::fflush(stdout);  // it stands, whatever becomes of the picture
-  draw_frontier(report.first, out / "frontier.svg");
+  if (!first || second.has_value() != arguments.check_seed.has_value())
+    return report_interruption("the rows so far", out);
+  const FrontierReport report{std::move(*first), std::move(second)};
+  write_pages(out, "frontier",
+              {frontier_text(report), frontier_csv(report), frontier_json(report).dump(1) + "\n",
+               [&] { return frontier_figure(report.first); }},
+              arguments.format);
   fmt::print(stderr, "rows, tables, picture and environment are in {}\n", out.string());
   return done;
+}
+
+void frontier_options(CLI::App& page, FrontierArguments& arguments) {
+  Measurement& measurement = arguments.measurement;
+  FrontierPlan& plan = arguments.plan;
+  add(page, "FAMILY", arguments.family, "NAME[:key=value,...] (see: lcpbench list families)")
+      ->required();
+  add(page, "--x", arguments.x,
+      "KNOB=V,V,... or KNOB=FROM..TO/N, a column of cells each; ,log for a geometric axis")
+      ->required();
+  add(page, "--y", arguments.y, "The same: the knob along which a line is sought")->required();
+  add(page, "--solver", arguments.solvers,
+      "NAME[:key=value,...], pattern, own or all; repeatable. Default: own");
+  add_with_default(page, "--count", plan.count, "Draws of a cell, and how many are added at a time",
+                   CLI::Range(Index{1}, most_draws));
+  add_with_default(page, "--max-count", plan.max_count,
+                   "Draws of a cell at most, where a line is not known well enough",
+                   CLI::Range(Index{1}, most_draws));
+  add_with_default(
+      page, "--band", plan.band,
+      "Widest band asked for on a geometric y, in decades; a step of the grid will do too",
+      CLI::PositiveNumber);
+  add_with_default(page, "--seed", plan.seed, "Same seed, same draws");
+  add(page, "--check-seed", arguments.check_seed,
+      "Repeat it with this seed, and say how many columns agree");
+  add_limits(page, measurement);
+  add_with_default(page, "--format", arguments.format, "text, csv (a line per cell) or json",
+                   CLI::IsMember({"text", "csv", "json"}));
+  page.add_flag("--dry-run", measurement.dry_run,
+                "Print the cells, the pairs (draw, solver) and the time expected");
+  page.add_flag("--resume", measurement.resume, "Go on with the rows that DIR holds");
+  add(page, "--out", measurement.out,
+      "Directory for rows, tables and picture; default: runs/frontier-FAMILY-X-Y");
 }
 
 }  // namespace
 
 Verb add_stability_frontier(CLI::App& stability) {
-  CLI::App* page = stability.add_subcommand(
-      "frontier", "Where in the plane of two knobs of a family each solver stops solving");
-  auto arguments = std::make_shared<FrontierArguments>();
-  page->add_option("FAMILY", arguments->family,
-                   "NAME[:key=value,...] (see: lcpbench list families)")
-      ->required();
-  page->add_option(
-          "--x", arguments->x,
-          "KNOB=V,V,... or KNOB=FROM..TO/N, a column of cells each; ,log for a geometric axis")
-      ->required();
-  page->add_option("--y", arguments->y, "The same: the knob along which a line is sought")
-      ->required();
-  page->add_option("--solver", arguments->solvers,
-                   "NAME[:key=value,...], pattern, own or all; repeatable. Default: own")
-      ->allow_extra_args(false);
-  page->add_option("--count", arguments->plan.count,
-                   "Draws of a cell, and how many are added at a time")
-      ->check(CLI::Range(Index{1}, most_draws))
-      ->capture_default_str();
-  page->add_option("--max-count", arguments->plan.max_count,
-                   "Draws of a cell at most, where a line is not known well enough")
-      ->check(CLI::Range(Index{1}, most_draws))
-      ->capture_default_str();
-  page->add_option(
-          "--band", arguments->plan.band,
-          "Widest band asked for on a geometric y, in decades; a step of the grid will do too")
-      ->check(CLI::PositiveNumber)
-      ->capture_default_str();
-  page->add_option("--seed", arguments->plan.seed, "Same seed, same draws")->capture_default_str();
-  page->add_option("--check-seed", arguments->check_seed,
-                   "Repeat it with this seed, and say how many columns agree");
-  add_limits(*page, arguments->measurement);
-  page->add_option("--format", arguments->format, "text, csv (a line per cell) or json")
-      ->check(CLI::IsMember({"text", "csv", "json"}))
-      ->capture_default_str();
-  page->add_flag("--dry-run", arguments->measurement.dry_run,
-                 "Print the cells, the pairs (draw, solver) and the time expected");
-  page->add_flag("--resume", arguments->measurement.resume, "Go on with the rows that DIR holds");
-  page->add_option("--out", arguments->measurement.out,
-                   "Directory for rows, tables and picture; default: runs/frontier-FAMILY-X-Y");
-  page->footer(
+  return make_verb<FrontierArguments>(
+      stability, "frontier",
+      "Where in the plane of two knobs of a family each solver stops solving", frontier_options,
+      frontier,
       "Writes DIR/{run.json, env.json, rows.jsonl, frontier.txt, frontier.csv, frontier.json, "
       "frontier.svg}.\n"
       "Example:\n"
       "  lcpbench stability frontier stack --x mu=0.1,0.5,1 --y mass_ratio=1..1000/7,log "
       "--check-seed 2");
-  return {page, [arguments] { return frontier(*arguments); }};
 }
 
 }  // namespace lcp::cli

@@ -1,18 +1,17 @@
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cstdio>
 #include <filesystem>
 #include <fstream>
-#include <memory>
 
 #include "harness/cli/interrupt.h"
 #include "harness/cli/measurement.h"
+#include "harness/cli/page.h"
+#include "harness/cli/progress.h"
 #include "harness/cli/quantity.h"
 #include "harness/cli/stability/parts.h"
-#include "harness/cli/progress.h"
-#include "harness/studies/perturb/perturb_render.h"
+#include "harness/studies/perturb/perturb_pages.h"
 #include "harness/studies/suites.h"
 #include "problems/io/errors.h"
 #include "problems/io/replace_file.h"
@@ -25,30 +24,18 @@ namespace fs = std::filesystem;
 
 struct PerturbArguments {
   Measurement measurement;
-  std::vector<std::string> solvers;
+  std::vector<std::string> solvers = {"own"};
   std::vector<std::string> kinds;
   PerturbOptions options;
   double same = 1e-6;
   std::string format = "text";
 };
 
-const std::map<std::string, FlipFormat>& flip_formats() {
-  static const std::map<std::string, FlipFormat> all = {
-      {"text", FlipFormat::text}, {"csv", FlipFormat::csv}, {"json", FlipFormat::json}};
-  return all;
-}
-
-std::vector<std::string> names_of_kinds() {
-  std::vector<std::string> names;
-  for (const DisturbanceKind kind : all_kinds()) names.push_back(to_string(kind));
-  return names;
-}
-
 PerturbOptions options_of(const PerturbArguments& arguments) {
   PerturbOptions options = arguments.options;
   if (!arguments.kinds.empty()) options.kinds.clear();
   for (const std::string& name : arguments.kinds) {
-    const DisturbanceKind kind = kind_from_string(name);
+    const DisturbanceKind kind = from_string<DisturbanceKind>(name);
     if (std::find(options.kinds.begin(), options.kinds.end(), kind) == options.kinds.end())
       options.kinds.push_back(kind);
   }
@@ -105,12 +92,6 @@ int print_disturbed_pairs(const RunPlan& plan, const PerturbOptions& options,
   return done;
 }
 
-void write_report(const fs::path& out, const Flips& flips) {
-  replace_file((out / "flips.txt").string(), render(flips, FlipFormat::text));
-  replace_file((out / "flips.csv").string(), render(flips, FlipFormat::csv));
-  replace_file((out / "flips.json").string(), render(flips, FlipFormat::json));
-}
-
 bool anything_counted(const Flips& flips) {
   return std::any_of(flips.rows.begin(), flips.rows.end(),
                      [](const FlipRow& row) { return row.trials > 0; });
@@ -120,9 +101,7 @@ int perturb(const PerturbArguments& arguments) {
   const PerturbOptions options = options_of(arguments);
   const Measurement& measurement = arguments.measurement;
   const std::string suite = suite_name(measurement);
-  std::vector<std::string> solvers = arguments.solvers;
-  if (solvers.empty()) solvers = {"own"};
-  RunPlan plan = make_plan(measurement, make_solvers(solvers));
+  RunPlan plan = make_plan(measurement, make_solvers(arguments.solvers));
   plan.max_samples = 1;  // times do not matter
   plan.keep_answers = true;
   const fs::path out = !measurement.out.empty() ? measurement.out : "runs/perturb";
@@ -152,57 +131,49 @@ int perturb(const PerturbArguments& arguments) {
   }
   if (measurement.resume)
     fmt::print(stderr, "{} rows were there, {} are new\n", report.rows_before, report.rows);
-  if (interrupted) {
-    fmt::print(stderr, "interrupted: {} rows are in {}; the same command with --resume goes on\n",
-               report.rows_before + report.rows, out.string());
-    return interrupted_by_user;
-  }
+  if (interrupted)
+    return report_interruption(fmt::format("{} rows", report.rows_before + report.rows), out);
   const Flips flips = count_flips(plan.instances, read_run(out), options, arguments.same);
-  write_report(out, flips);
-  fmt::print("{}", render(flips, flip_formats().at(arguments.format)));
-  std::fflush(stdout);  // the table stands, whatever becomes of the picture
-  if (anything_counted(flips)) draw_flips(flips, out / "flips.svg");
+  StudyPages pages{flips_text(flips), flips_csv(flips), flips_json(flips).dump(1) + "\n", {}};
+  if (anything_counted(flips)) pages.figure = [&] { return flips_figure(flips); };
+  write_pages(out, "flips", pages, arguments.format);
   fmt::print(stderr, "rows, flips, picture and environment are in {}\n", out.string());
   return done;
+}
+
+void perturb_options(CLI::App& page, PerturbArguments& arguments) {
+  PerturbOptions& options = arguments.options;
+  add(page, "--solver", arguments.solvers,
+      "NAME[:key=value,...], pattern, own or all; repeatable. Default: own");
+  add(page, "--kind", arguments.kinds, "Disturbance; repeatable. Default: all of them",
+      CLI::IsMember(all_names<DisturbanceKind>()));
+  add_with_default(
+      page, "--trials", options.trials,
+      "Disturbed versions of each instance, of each kind (units: 3, scale-q: 12 at most)",
+      CLI::PositiveNumber);
+  add_with_default(page, "--seed", options.seed, "Of the draws");
+  add_with_default(page, "--last-bits", options.last_bits,
+                   "noise: numbers are multiplied by 1 + k 2^-52, |k| at most this",
+                   CLI::Range(1, 1 << 30));
+  add(page, "--angle", options.angle,
+      "rotation: by random angles up to this (degrees), which is another polygon and so another "
+      "problem. Default: multiples of the directions' spacing, the same polygon with other labels",
+      CLI::Range(0.0, 180.0));
+  add_with_default(page, "--same", arguments.same,
+                   "Two z are one solution if |dz_i| / s_z,i is at most this (w likewise)",
+                   CLI::PositiveNumber);
+  add_with_default(page, "--format", arguments.format, "How the flips are printed",
+                   CLI::IsMember({"csv", "json", "text"}));
+  add_options(page, arguments.measurement);
 }
 
 }  // namespace
 
 Verb add_stability_perturb(CLI::App& page) {
-  CLI::App* part = page.add_subcommand(
-      "perturb", "How often a verdict flips when the data change in ways that should not matter");
-  auto arguments = std::make_shared<PerturbArguments>();
-  PerturbOptions& options = arguments->options;
-  part->add_option("--solver", arguments->solvers,
-                   "NAME[:key=value,...], pattern, own or all; repeatable. Default: own")
-      ->allow_extra_args(false);
-  part->add_option("--kind", arguments->kinds, "Disturbance; repeatable. Default: all of them")
-      ->allow_extra_args(false)
-      ->check(CLI::IsMember(names_of_kinds()));
-  part->add_option(
-          "--trials", options.trials,
-          "Disturbed versions of each instance, of each kind (units: 3, scale-q: 12 at most)")
-      ->check(CLI::PositiveNumber)
-      ->capture_default_str();
-  part->add_option("--seed", options.seed, "Of the draws")->capture_default_str();
-  part->add_option("--last-bits", options.last_bits,
-                   "noise: numbers are multiplied by 1 + k 2^-52, |k| at most this")
-      ->check(CLI::Range(1, 1 << 30))
-      ->capture_default_str();
-  part->add_option("--angle", options.angle,
-                   "rotation: by random angles up to this (degrees), which is another polygon and "
-                   "so another problem. Default: multiples of the directions' spacing, the same "
-                   "polygon with other labels")
-      ->check(CLI::Range(0.0, 180.0));
-  part->add_option("--same", arguments->same,
-                   "Two z are one solution if |dz_i| / s_z,i is at most this (w likewise)")
-      ->check(CLI::PositiveNumber)
-      ->capture_default_str();
-  part->add_option("--format", arguments->format, "How the flips are printed")
-      ->check(CLI::IsMember(&flip_formats()))
-      ->capture_default_str();
-  add_options(*part, arguments->measurement);
-  part->footer(
+  return make_verb<PerturbArguments>(
+      page, "perturb",
+      "How often a verdict flips when the data change in ways that should not matter",
+      perturb_options, perturb,
       "Kinds: noise (last bits of M and q), permutation (rows, contacts), units (mm, kN, both),\n"
       "rotation (tangent axes), scale-q (q times 1e-6 ... 1e6). A flip is solved <-> not solved.\n"
       "Writes DIR/{run.json, env.json, perturb.json, rows.jsonl, flips.txt, flips.csv, "
@@ -211,7 +182,6 @@ Verb add_stability_perturb(CLI::App& page) {
       "Example:\n"
       "  lcpbench stability perturb --suite contact --every 10 --solver lemke --solver best-first\n"
       "  lcpbench stability perturb --corpus mine.hdf5 --kind noise --last-bits 4 --trials 20");
-  return {part, [arguments] { return perturb(*arguments); }};
 }
 
 }  // namespace lcp::cli

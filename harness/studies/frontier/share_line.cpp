@@ -58,46 +58,37 @@ double squares(const std::vector<SharePoint>& points, const std::vector<double>&
   return sum;
 }
 
-/// Where a falling curve, interpolated, is 1/2: the middle of that stretch. It begins above 1/2 and
-/// ends below it.
-double middle_at_half(const std::vector<SharePoint>& points, const std::vector<double>& falling) {
-  std::size_t last_above = 0, first_below = falling.size() - 1;
-  for (std::size_t i = 0; i < falling.size(); ++i)
-    if (falling[i] > half) last_above = i;
+/// Where a falling curve, interpolated, comes down to 1/2; minus infinity if it is never above.
+double leaves_above(const std::vector<SharePoint>& points, const std::vector<double>& falling) {
   for (std::size_t i = falling.size(); i-- > 0;)
-    if (falling[i] < half) first_below = i;
-  const double begin = at_half(points[last_above].u, falling[last_above], points[last_above + 1].u,
-                               falling[last_above + 1]);
-  const double end = at_half(points[first_below - 1].u, falling[first_below - 1],
-                             points[first_below].u, falling[first_below]);
-  return (begin + end) / 2;
+    if (falling[i] > half)
+      return i + 1 == falling.size()
+                 ? points[i].u
+                 : at_half(points[i].u, falling[i], points[i + 1].u, falling[i + 1]);
+  return -infinity;
+}
+
+/// Where it goes on down from 1/2; infinity if it is never below.
+double enters_below(const std::vector<SharePoint>& points, const std::vector<double>& falling) {
+  for (std::size_t i = 0; i < falling.size(); ++i)
+    if (falling[i] < half)
+      return i == 0 ? points[i].u
+                    : at_half(points[i - 1].u, falling[i - 1], points[i].u, falling[i]);
+  return infinity;
 }
 
 /// The band of a falling share.
 Interval falling_band(const std::vector<SharePoint>& points) {
-  const std::size_t size = points.size();
-  std::vector<double> lower(size), upper(size);
-  for (std::size_t i = 0; i < size; ++i) {
-    const Interval interval = wilson_interval(points[i].solved, points[i].counted);
-    lower[i] = interval.low;
-    upper[i] = interval.high;
+  std::vector<double> lower, upper;
+  for (const SharePoint& point : points) {
+    const Interval interval = wilson_interval(point.solved, point.counted);
+    lower.push_back(interval.low);
+    upper.push_back(interval.high);
   }
-  for (std::size_t i = size - 1; i-- > 0;) lower[i] = std::max(lower[i], lower[i + 1]);
-  for (std::size_t i = 1; i < size; ++i) upper[i] = std::min(upper[i], upper[i - 1]);
-
-  Interval band{-infinity, infinity};
-  for (std::size_t i = 0; i < size; ++i)
-    if (lower[i] > half)
-      band.low = i + 1 == size || lower[i + 1] > half
-                     ? points[i].u
-                     : at_half(points[i].u, lower[i], points[i + 1].u, lower[i + 1]);
-  for (std::size_t i = size; i-- > 0;)
-    if (upper[i] < half)
-      band.high = i == 0 || upper[i - 1] < half
-                      ? points[i].u
-                      : at_half(points[i - 1].u, upper[i - 1], points[i].u, upper[i]);
-  if (band.low > band.high) std::swap(band.low, band.high);  // contradicting cells, both open
-  return band;
+  for (std::size_t i = points.size() - 1; i-- > 0;) lower[i] = std::max(lower[i], lower[i + 1]);
+  for (std::size_t i = 1; i < points.size(); ++i) upper[i] = std::min(upper[i], upper[i - 1]);
+  const double a = leaves_above(points, lower), b = enters_below(points, upper);
+  return {std::min(a, b), std::max(a, b)};  // contradicting cells, both open: the other way round
 }
 
 /// Length of the step of the grid that holds u.
@@ -126,7 +117,7 @@ ShareLine falling_line(const std::vector<SharePoint>& points) {
   const Interval band = falling_band(points);
   if (fit.front() > half && fit.back() < half) {
     line.kind = ShareLine::Kind::crossing;
-    line.u = middle_at_half(open, fit);
+    line.u = (leaves_above(open, fit) + enters_below(open, fit)) / 2;
     line.step = step_at(points, line.u);
   } else {
     line.kind = fit.back() < half ? ShareLine::Kind::below : ShareLine::Kind::above;
@@ -153,6 +144,11 @@ bool open_cell(const SharePoint& point) {
 /// Decided, but not at 99.9 %.
 bool unconfirmed(const SharePoint& point) {
   return side_of(point) != Side::open && side_of(point, confirming_quantile) == Side::open;
+}
+
+/// Whether more draws of a cell could tell more of the line.
+bool in_question(const SharePoint& point, const ShareLine& line) {
+  return line.kind == ShareLine::Kind::several ? unconfirmed(point) : open_cell(point);
 }
 
 /// Whether a cell outside the band of a crossing lies on the other side of 1/2 than the fit.
@@ -215,36 +211,18 @@ ShareLine find_line(const std::vector<SharePoint>& all) {
 }
 
 bool settled(const ShareLine& line, const std::vector<SharePoint>& points, double width) {
-  switch (line.kind) {
-    case ShareLine::Kind::several:
-      return std::none_of(points.begin(), points.end(), unconfirmed);
-    case ShareLine::Kind::nothing:
-      return true;
-    case ShareLine::Kind::crossing:
-      return line.high - line.low <= std::max(width, line.step);
-    case ShareLine::Kind::above:
-    case ShareLine::Kind::below:
-      return std::none_of(points.begin(), points.end(), open_cell);
-  }
-  return true;
+  if (line.kind == ShareLine::Kind::crossing)
+    return line.high - line.low <= std::max(width, line.step);
+  return std::none_of(points.begin(), points.end(),
+                      [&](const SharePoint& point) { return in_question(point, line); });
 }
 
 std::vector<bool> more_wanted(const ShareLine& line, const std::vector<SharePoint>& points,
                               double width) {
-  const bool known = settled(line, points, width);
+  const bool known = line.kind == ShareLine::Kind::crossing && settled(line, points, width);
   std::vector<bool> wanted;
-  for (const SharePoint& point : points) {
-    switch (line.kind) {
-      case ShareLine::Kind::several:
-        wanted.push_back(unconfirmed(point));
-        break;
-      case ShareLine::Kind::crossing:
-        wanted.push_back(open_cell(point) && (!known || contradicts(point, line)));
-        break;
-      default:
-        wanted.push_back(open_cell(point));
-    }
-  }
+  for (const SharePoint& point : points)
+    wanted.push_back(in_question(point, line) && (!known || contradicts(point, line)));
   return wanted;
 }
 

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "harness/studies/wilson.h"
+#include "solvers/names.h"
 #include "solvers/problem.h"
 
 namespace lcp {

@@ -3,8 +3,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <charconv>
 #include <exception>
+#include <limits>
 #include <memory>
 #include <numeric>
 #include <set>
@@ -22,24 +22,34 @@ using Status = LawOutcome::Status;
 LawOutcome holds() { return {Status::holds, ""}; }
 LawOutcome broken(std::string why) { return {Status::broken, std::move(why)}; }
 
-/// Checks each sample in turn: the first that breaks the law decides; where the row supports not one,
-/// the law does not apply. `check` returns what is wrong, or nothing.
-LawOutcome on_samples(const NamedSolver& solver, const std::vector<NamedProblem>& samples,
-                      const std::function<std::string(const Problem&, const Result&)>& check) {
-  std::string unsupported;
-  bool applied = false;
+/// Checks each sample in turn: the first that breaks the law decides. `check` returns what is wrong, or
+/// nothing.
+LawOutcome on_every(
+    const NamedSolver& solver, const std::vector<NamedProblem>& samples,
+    const std::function<std::string(const NamedProblem&, const Result&)>& check_sample) {
   for (const NamedProblem& sample : samples) {
-    const Result result = solver.solver->solve(sample.problem);
-    if (result.claim == Claim::unsupported) {
-      unsupported = result.message;
-      continue;
-    }
-    applied = true;
-    const std::string wrong = check(sample.problem, result);
+    const std::string wrong = check_sample(sample, solver.solver->solve(sample.problem));
     if (!wrong.empty()) return broken(fmt::format("{}: {}", sample.name, wrong));
   }
-  if (!applied) return {Status::not_applicable, unsupported};
   return holds();
+}
+
+/// The same of the samples that the row supports; where it supports none, the law does not apply.
+LawOutcome on_samples(
+    const NamedSolver& solver, const std::vector<NamedProblem>& samples,
+    const std::function<std::string(const Problem&, const Result&)>& check_sample) {
+  std::string unsupported;
+  bool applied = false;
+  const LawOutcome outcome =
+      on_every(solver, samples, [&](const NamedProblem& sample, const Result& result) {
+        if (result.claim == Claim::unsupported) {
+          unsupported = result.message;
+          return std::string();
+        }
+        applied = true;
+        return check_sample(sample.problem, result);
+      });
+  return applied ? outcome : LawOutcome{Status::not_applicable, unsupported};
 }
 
 bool defined(const VectorXd& z, Index n) { return z.size() == n && z.allFinite(); }
@@ -140,44 +150,38 @@ std::vector<NamedProblem> samples_and_cut_short() {
 }
 
 LawOutcome defined_failure(const NamedSolver& solver) {
-  for (const NamedProblem& sample : samples_and_cut_short()) {  // unsupported ones too
-    const Result result = solver.solver->solve(sample.problem);
-    if (!defined(result.z, sample.problem.size()))
-      return broken(fmt::format("{}: claims {} without a finite z of n entries", sample.name,
-                                to_string(result.claim)));
-  }
-  return holds();
+  const auto check_z = [](const NamedProblem& sample, const Result& result) {
+    if (defined(result.z, sample.problem.size())) return std::string();
+    return fmt::format("claims {} without a finite z of n entries", to_string(result.claim));
+  };
+  return on_every(solver, samples_and_cut_short(), check_z);  // unsupported ones too
 }
 
 LawOutcome honest(const NamedSolver& solver) {
-  const double tolerance = 1e-6;  // the judge's own default
-  for (const NamedProblem& sample : samples_and_cut_short()) {
-    const Result result = solver.solver->solve(sample.problem);
+  const auto check_claim = [](const NamedProblem& sample, const Result& result) {
+    const double tolerance = 1e-6;  // the judge's own default
     const Instance instance = make_instance(sample.name, sample.problem, {});
     const Judgement judgement = judge(instance, result, tolerance);
-    if (judgement.verdict == Verdict::wrong || judgement.verdict == Verdict::false_infeasible)
-      return broken(fmt::format("{}: claims {} and fails the check, residual {:.2g}", sample.name,
-                                to_string(result.claim), judgement.accuracy.residual));
-  }
-  return holds();
+    if (judgement.verdict != Verdict::wrong && judgement.verdict != Verdict::false_infeasible)
+      return std::string();
+    return fmt::format("claims {} and fails the check, residual {:.2g}", to_string(result.claim),
+                       judgement.accuracy.residual);
+  };
+  return on_every(solver, samples_and_cut_short(), check_claim);
 }
 
-/// The option `tolerance` of an iterative row; NaN where there is none.
-double own_tolerance(const NamedSolver& solver) {
-  double value = std::numeric_limits<double>::quiet_NaN();
-  for (const Option& option : solver.solver->options()) {
-    if (option.name != "tolerance") continue;
-    const std::string text = option.get();
-    std::from_chars(text.data(), text.data() + text.size(), value);
-  }
-  return value;
+/// How near the permutation law wants a row's solution, in max |dz_i / s_z,i|.
+double allowed_error(const NamedSolver& solver) {
+  const LawTolerances tolerances;
+  if (solver.info.kind != RowInfo::Kind::iterative) return tolerances.pivoting;
+  for (const Option& option : solver.solver->options())
+    if (option.name == "tolerance") return tolerances.own_tolerances * std::stod(option.get());
+  return std::numeric_limits<double>::quiet_NaN();
 }
 
 LawOutcome permutation(const NamedSolver& solver) {
-  const LawTolerances tolerances;
   const bool iterative = solver.info.kind == RowInfo::Kind::iterative;
-  const double allowed =
-      iterative ? tolerances.own_tolerances * own_tolerance(solver) : tolerances.pivoting;
+  const double allowed = allowed_error(solver);
   const Index n = 12;
   std::vector<Index> order(n);
   std::iota(order.begin(), order.end(), 0);

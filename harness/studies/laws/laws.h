@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "solvers/names.h"
 #include "solvers/registry.h"
 
 namespace lcp {

@@ -1,10 +1,11 @@
 #include "harness/studies/perturb/perturb_flips.h"
 
 #include <algorithm>
-#include <cmath>
-#include <tuple>
+#include <map>
+#include <utility>
 
 #include "harness/observed_quantile.h"
+#include "harness/runs/settings.h"
 #include "harness/studies/suites.h"
 #include "harness/studies/table/table.h"
 #include "problems/contact/friction_lcp.h"
@@ -49,42 +50,10 @@ bool same_vector(const VectorXd& one, const VectorXd& two, const VectorXd& scale
   return ((one - two).cwiseAbs().array() <= same * scales.array()).all();
 }
 
-/// Numbers of FlipRow that come of many instances.
-struct Samples {
-  std::vector<double> pivots, ratios;
-};
-
-using Key = std::tuple<std::string, std::string, std::string, std::string>;
-
-/// Rows in the making, in order of first appearance.
-class Tally {
- public:
-  FlipRow& row(const Key& key) {
-    const auto [place, is_new] = places_.try_emplace(key, rows_.size());
-    if (is_new) {
-      FlipRow& row = rows_.emplace_back();
-      std::tie(row.corpus, row.solver, row.start, row.kind) = key;
-      samples_.emplace_back();
-    }
-    return rows_[place->second];
-  }
-  Samples& samples(const Key& key) {
-    row(key);
-    return samples_[places_.at(key)];
-  }
-  std::vector<FlipRow> finished() {
-    for (std::size_t k = 0; k < rows_.size(); ++k) {
-      rows_[k].pivots = observed_quantile(samples_[k].pivots, 0.5);
-      rows_[k].pivot_ratio = observed_quantile(samples_[k].ratios, 0.5);
-      rows_[k].pivot_ratio_max = observed_quantile(samples_[k].ratios, 1.0);
-    }
-    return rows_;
-  }
-
- private:
-  std::map<Key, std::size_t> places_;
-  std::vector<FlipRow> rows_;
-  std::vector<Samples> samples_;
+/// A row in the making, with the numbers of all its instances that it keeps the middle of.
+struct Tally {
+  FlipRow row;
+  std::vector<double> pivots = {}, ratios = {};
 };
 
 void count_verdicts(FlipRow& row, const Run& baseline, const std::vector<Run>& trials) {
@@ -102,11 +71,12 @@ void count_verdicts(FlipRow& row, const Run& baseline, const std::vector<Run>& t
   row.instances_flipped += flips > 0;
 }
 
-void count_answers(FlipRow& row, Samples& samples, const Problem& original,
-                   const std::vector<const Run*>& solved, double same) {
-  for (const Run* run : solved)
-    samples.pivots.push_back(static_cast<double>(run->record->work.pivots));
+void count_answers(Tally& tally, const Problem& original, const std::vector<const Run*>& solved,
+                   double same) {
+  const auto pivots = [](const Run* run) { return static_cast<double>(run->record->work.pivots); };
+  for (const Run* run : solved) tally.pivots.push_back(pivots(run));
   if (solved.size() < 2) return;
+  FlipRow& row = tally.row;
   ++row.compared;
   std::vector<const Run*> distinct;
   for (const Run* run : solved) {
@@ -123,58 +93,47 @@ void count_answers(FlipRow& row, Samples& samples, const Problem& original,
   }
   row.several += distinct.size() > 1;
   row.most_distinct = std::max(row.most_distinct, static_cast<Index>(distinct.size()));
-
-  const auto by_pivots = [](const Run* a, const Run* b) {
-    return a->record->work.pivots < b->record->work.pivots;
-  };
-  const auto [least, most] = std::minmax_element(solved.begin(), solved.end(), by_pivots);
-  const Index fewest = (*least)->record->work.pivots;
-  if (fewest > 0)
-    samples.ratios.push_back(static_cast<double>((*most)->record->work.pivots) /
-                             static_cast<double>(fewest));
+  const auto [least, most] = std::minmax_element(
+      tally.pivots.end() - static_cast<std::ptrdiff_t>(solved.size()), tally.pivots.end());
+  if (*least > 0) tally.ratios.push_back(*most / *least);
 }
 
 /// One instance met by one solver: what is known of it undisturbed and under one kind.
-void count_instance(Tally& tally, const Key& key, const Problem& original, const Run& baseline,
+void count_instance(Tally& tally, const Problem& original, const Run& baseline,
                     const std::vector<Run>& runs, double same) {
-  FlipRow& row = tally.row(key);
+  FlipRow& row = tally.row;
   const Verdict verdict = baseline.record->verdict;
-  if (baseline.record->trivial) {
-    ++row.trivial;
-    return;
-  }
-  if (verdict == Verdict::not_run) {
-    ++row.not_run;
+  if (baseline.record->trivial || verdict == Verdict::not_run) {
+    ++(baseline.record->trivial ? row.trivial : row.not_run);
     return;
   }
   const bool is_baseline = row.kind == "baseline";
-  std::vector<Run> trials;
-  for (const Run& run : is_baseline ? std::vector<Run>{baseline} : runs) {
-    if (verdict == Verdict::unsupported && run.record->verdict == Verdict::unsupported)
-      ++row.unsupported;
-    else
-      trials.push_back(run);
-  }
+  std::vector<Run> trials = is_baseline ? std::vector<Run>{baseline} : runs;
+  row.unsupported += static_cast<Index>(std::erase_if(trials, [verdict](const Run& run) {
+    return verdict == Verdict::unsupported && run.record->verdict == verdict;
+  }));
   if (trials.empty()) return;
   ++row.instances;
   count_verdicts(row, baseline, trials);
   std::vector<const Run*> solved;
-  if (baseline.solved() && baseline.z.size() > 0) solved.push_back(&baseline);
+  if (baseline.z.size() > 0) solved.push_back(&baseline);
   for (const Run& trial : trials)
-    if (!is_baseline && trial.solved() && trial.z.size() > 0) solved.push_back(&trial);
-  count_answers(row, tally.samples(key), original, solved, same);
+    if (!is_baseline && trial.z.size() > 0) solved.push_back(&trial);
+  count_answers(tally, original, solved, same);
 }
 
 /// Counts one more instance that a kind does not apply to.
 void add_reason(std::vector<NotApplicable>& all, const NotApplicable& one) {
-  for (NotApplicable& known : all) {
-    if (known.corpus != one.corpus || known.kind != one.kind || known.reason != one.reason)
-      continue;
-    ++known.instances;
-    return;
-  }
+  for (NotApplicable& known : all)
+    if (known.corpus == one.corpus && known.kind == one.kind && known.reason == one.reason) {
+      ++known.instances;
+      return;
+    }
   all.push_back(one);
 }
+
+/// Who solved: full spelling, and from which start.
+using Entrant = std::pair<std::string, std::string>;
 
 /// Records by what makes them the same piece of work.
 class Rows {
@@ -182,48 +141,47 @@ class Rows {
   explicit Rows(const std::vector<Record>& records) {
     for (const Record& record : records) {
       by_key_[key_of(record)] = &record;
-      const std::pair entrant{record.solver, record.start};
-      if (std::find(entrants_.begin(), entrants_.end(), entrant) == entrants_.end())
-        entrants_.push_back(entrant);
+      const Entrant entrant{record.solver, record.start};
+      if (std::find(entrants.begin(), entrants.end(), entrant) == entrants.end())
+        entrants.push_back(entrant);
     }
   }
-  const Record* find(const Instance& instance, const std::pair<std::string, std::string>& entrant,
-                     const std::string& hash) const {
-    const auto found = by_key_.find({instance.name, hash, entrant.first, entrant.second});
+  const Record* find(const Instance& instance, const Entrant& entrant) const {
+    const bool warm = entrant.second == to_string(StartKind::previous);
+    const auto found =
+        by_key_.find({instance.name, warm ? hash_with_previous(instance) : instance.sha256,
+                      entrant.first, entrant.second});
     return found == by_key_.end() ? nullptr : found->second;
   }
-  const std::vector<std::pair<std::string, std::string>>& entrants() const { return entrants_; }
+
+  std::vector<Entrant> entrants;
 
  private:
   std::map<PairKey, const Record*> by_key_;
-  std::vector<std::pair<std::string, std::string>> entrants_;  ///< Solver, start.
 };
-
-std::string hash_from(const Instance& instance, const std::string& start) {
-  return start == to_string(StartKind::previous) ? hash_with_previous(instance) : instance.sha256;
-}
 
 }  // namespace
 
 Flips count_flips(const std::vector<Instance>& instances, const std::vector<Record>& records,
                   const PerturbOptions& options, double same) {
   Flips flips{options, same, records.empty() ? 0 : records.front().tolerance, {}, {}};
-  std::vector<std::string> corpora;
-  for (const Instance& instance : instances) {
-    const std::string corpus = corpus_of(instance.name);
-    if (std::find(corpora.begin(), corpora.end(), corpus) == corpora.end())
-      corpora.push_back(corpus);
-  }
   const Rows rows(records);
-  // Every row exists, in order, before anything is counted.
-  Tally tally;
-  std::vector<std::string> kinds = {"baseline"};
+  std::vector<std::string> corpora, kinds = {"baseline"};
+  for (const Instance& instance : instances) append_missing(corpora, {corpus_of(instance.name)});
   for (const DisturbanceKind kind : options.kinds) kinds.push_back(to_string(kind));
   std::vector<std::string> blocks = corpora;
   if (corpora.size() > 1) blocks.push_back("all corpora");
+  const std::map<std::string, std::string> label_of = labels(records);
+  const bool several_starts =
+      std::any_of(records.begin(), records.end(),
+                  [&](const Record& record) { return record.start != records.front().start; });
+  std::vector<Tally> tallies;
   for (const std::string& block : blocks)
-    for (const auto& [solver, start] : rows.entrants())
-      for (const std::string& kind : kinds) tally.row({block, solver, start, kind});
+    for (const auto& [solver, start] : rows.entrants)
+      for (const std::string& kind : kinds) {
+        tallies.push_back({{.corpus = block, .solver = solver, .start = start, .kind = kind}});
+        tallies.back().row.label = label_of.at(solver) + (several_starts ? " [" + start + "]" : "");
+      }
 
   for (const Instance& instance : instances) {
     const std::string corpus = corpus_of(instance.name);
@@ -233,35 +191,27 @@ Flips count_flips(const std::vector<Instance>& instances, const std::vector<Reco
     for (const DisturbanceKind kind : options.kinds)
       if (const std::string reason = reason_against(kind, instance.problem); !reason.empty())
         add_reason(flips.not_applicable, {corpus, to_string(kind), reason, 1});
-    for (const auto& entrant : rows.entrants()) {
-      const Record* undisturbed = rows.find(instance, entrant, hash_from(instance, entrant.second));
+    for (Tally& tally : tallies) {
+      const FlipRow& row = tally.row;
+      if (row.corpus != corpus && !(corpora.size() > 1 && row.corpus == blocks.back())) continue;
+      const Entrant entrant{row.solver, row.start};
+      const Record* undisturbed = rows.find(instance, entrant);
       if (!undisturbed) continue;
-      const Run baseline = run_of(*undisturbed, instance.problem, {});
-      for (const std::string& kind : kinds) {
-        std::vector<Run> runs;
-        for (const auto& [of_kind, version] : disturbed) {
-          if (of_kind != kind) continue;
-          if (const Record* record =
-                  rows.find(version.instance, entrant, hash_from(version.instance, entrant.second)))
-            runs.push_back(run_of(*record, instance.problem, version.back));
-        }
-        if (runs.empty() && kind != "baseline") continue;
-        for (const std::string& block : {corpus, std::string("all corpora")})
-          if (block == corpus || corpora.size() > 1)
-            count_instance(tally, {block, entrant.first, entrant.second, kind}, instance.problem,
-                           baseline, runs, same);
-      }
+      std::vector<Run> runs;
+      for (const auto& [kind, version] : disturbed)
+        if (const Record* record =
+                kind == row.kind ? rows.find(version.instance, entrant) : nullptr)
+          runs.push_back(run_of(*record, instance.problem, version.back));
+      if (!runs.empty() || row.kind == "baseline")
+        count_instance(tally, instance.problem, run_of(*undisturbed, instance.problem, {}), runs,
+                       same);
     }
   }
-
-  flips.rows = tally.finished();
-  const std::map<std::string, std::string> label_of = labels(records);
-  const bool several_starts =
-      std::any_of(records.begin(), records.end(),
-                  [&](const Record& record) { return record.start != records.front().start; });
-  for (FlipRow& row : flips.rows) {
-    row.label = label_of.at(row.solver);
-    if (several_starts) row.label += " [" + row.start + "]";
+  for (Tally& tally : tallies) {
+    tally.row.pivots = observed_quantile(tally.pivots, 0.5);
+    tally.row.pivot_ratio = observed_quantile(tally.ratios, 0.5);
+    tally.row.pivot_ratio_max = observed_quantile(tally.ratios, 1.0);
+    flips.rows.push_back(std::move(tally.row));
   }
   return flips;
 }

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -12,37 +11,35 @@ namespace lcp {
 
 /// What a solver did under one kind of disturbance, or (`baseline`) without any, on one corpus.
 struct FlipRow {
-  std::string corpus;
-  std::string solver;  ///< Full spelling.
-  std::string start;
-  std::string label;    ///< As in a table.
-  std::string kind;     ///< `baseline` or that of a disturbance.
-  Index instances = 0;  ///< That count: met, and neither trivial nor out of the solver's reach.
-  Index trials = 0;     ///< Runs that count, of all of them; of `baseline`, the instances.
-  Index solved = 0;     ///< Of the trials.
+  std::string corpus = {};
+  std::string solver = {};  ///< Full spelling.
+  std::string start = {};
+  std::string label = {};  ///< As in a table.
+  std::string kind = {};   ///< `baseline` or that of a disturbance.
+  Index instances = 0;     ///< That count: met, and neither trivial nor out of the solver's reach.
+  Index trials = 0;        ///< Runs that count, of all of them; of `baseline`, the instances.
+  Index solved = 0;        ///< Of the trials.
   Index baseline_solved = 0;    ///< Of the trials: their instance is solved undisturbed.
   Index lost = 0;               ///< Solved undisturbed, not solved disturbed.
-  Index gained = 0;             ///< The reverse.
+  Index gained = 0;             ///< Not solved undisturbed, solved disturbed.
   Index other_changes = 0;      ///< Solved in neither, and another verdict (ray -> wrong).
   Index instances_flipped = 0;  ///< Instances with at least one flip.
 
-  /// Instances solved in at least two runs, the undisturbed one among them or not; of the z mapped
-  /// back, those in which not all are the same, and the most that were told apart on one instance.
-  Index compared = 0;
-  Index several = 0;
-  Index most_distinct = 0;
-  Index other_z =
-      0;  ///< Solved runs whose z is not that of the first solved run (undisturbed first),
-  Index other_z_same_w = 0;  ///< of these, those whose w = M z + q is,
-  /// and those that move the contacts alike: v+ = W f + vbar, within `same` of the scale of velocities.
-  /// Forces may be undetermined (and with them z and the w of rows lambda) where motion is not. Without
-  /// friction blocks the same as other_z_same_w.
+  Index compared = 0;       ///< Instances solved in two runs at least, undisturbed or disturbed.
+  Index several = 0;        ///< Instances compared whose z, mapped back, are not all the same.
+  Index most_distinct = 0;  ///< The most z that were told apart on one instance.
+  /// Solved runs whose z is not that of the first solved run (the undisturbed one comes first).
+  Index other_z = 0;
+  Index other_z_same_w = 0;  ///< Of other_z, the runs whose w = M z + q is that of the first.
+  /// Of other_z, the runs that move the contacts alike: v+ = W f + vbar, within `same` of the scale of
+  /// velocities. Forces may be undetermined (and with them z and the w of rows lambda) where motion is
+  /// not. Without friction blocks the same as other_z_same_w.
   Index other_z_same_motion = 0;
 
-  std::optional<double> pivots;  ///< Median over solved runs.
-  std::optional<double>
-      pivot_ratio;  ///< Most over least of the solved runs of one instance: median
-  std::optional<double> pivot_ratio_max;  ///< and largest over the instances `compared`.
+  std::optional<double> pivots = {};  ///< Median over solved runs.
+  /// Most over least pivots of the solved runs of one instance: median over the instances `compared`.
+  std::optional<double> pivot_ratio = {};
+  std::optional<double> pivot_ratio_max = {};  ///< The largest such ratio.
 
   Index trivial = 0;      ///< Instances that z = 0 solves; not counted above.
   Index unsupported = 0;  ///< Runs that the solver refuses disturbed or not; not counted above.

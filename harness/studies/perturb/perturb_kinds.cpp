@@ -4,10 +4,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <numeric>
 #include <stdexcept>
 
+#include "harness/studies/shrink/parts.h"
 #include "problems/contact/friction_lcp.h"
 
 namespace lcp {
@@ -19,6 +19,13 @@ struct RowMap {
   std::vector<Index> rows;
   VectorXd factors;
 
+  /// Every row in its place.
+  explicit RowMap(VectorXd by) : rows(by.size()), factors(std::move(by)) {
+    std::iota(rows.begin(), rows.end(), Index{0});
+  }
+  explicit RowMap(std::vector<Index> order)
+      : rows(std::move(order)), factors(VectorXd::Ones(static_cast<Index>(rows.size()))) {}
+
   VectorXd back(const VectorXd& disturbed) const {
     VectorXd z(disturbed.size());
     z(rows) = factors.cwiseProduct(disturbed);
@@ -26,12 +33,6 @@ struct RowMap {
   }
   VectorXd forth(const VectorXd& original) const { return original(rows).cwiseQuotient(factors); }
 };
-
-RowMap identity_map(Index n) {
-  std::vector<Index> rows(n);
-  std::iota(rows.begin(), rows.end(), Index{0});
-  return {std::move(rows), VectorXd::Ones(n)};
-}
 
 /// What the instance is called and where it comes from. Contact ids are not kept: they tell the order
 /// of contacts.
@@ -66,16 +67,12 @@ Problem made(Problem problem) {
   return problem;
 }
 
-bool equal_scales(const Problem& one, const Problem& two) {
-  return one.s_z == two.s_z && one.s_w == two.s_w;
-}
-
 /// Makes a changed problem, whose z is the original's times z_factors and whose w is it times
 /// w_factors.
 Problem remade(const Problem& original, Problem changed, const VectorXd& z_factors,
                const VectorXd& w_factors) {
-  Problem problem = made(std::move(changed));
-  if (!equal_scales(original, made(original))) {
+  Problem problem = made(std::move(changed)), plain = made(original);
+  if (plain.s_z != original.s_z || plain.s_w != original.s_w) {  // scales of its own
     problem.s_z = original.s_z.cwiseProduct(z_factors);
     problem.s_w = original.s_w.cwiseProduct(w_factors);
   }
@@ -88,28 +85,15 @@ void require_none(const std::string& reason, const Instance& instance) {
   if (!reason.empty()) throw std::invalid_argument(instance.name + ": " + reason);
 }
 
-/// Moves numbers by last bits.
-class Noise {
- public:
-  Noise(Index last_bits, Random& random) : last_bits_(last_bits), random_(random) {}
+/// A problem to be changed, with the numbers that make it: W and vbar, without blocks M and q.
+struct Numbers {
+  Problem problem;
 
-  void disturb(double& number) {
-    const auto k = static_cast<double>(random_.integer(-last_bits_, last_bits_));
-    number *= 1 + std::ldexp(k, -52);
+  explicit Numbers(const Instance& instance) : problem(instance.problem) {
+    require_none(reason_against_reassembly(problem), instance);
   }
-  void disturb(VectorXd& numbers) {
-    for (double& number : numbers) disturb(number);
-  }
-  void disturb(MatrixXd& M) {
-    const bool symmetric = M == M.transpose();
-    for (Index j = 0; j < M.cols(); ++j)
-      for (Index i = symmetric ? j : 0; i < M.rows(); ++i) disturb(M(i, j));
-    if (symmetric) M.triangularView<Eigen::StrictlyUpper>() = MatrixXd(M.transpose());
-  }
-
- private:
-  Index last_bits_;
-  Random& random_;
+  MatrixXd& matrix() { return problem.friction ? problem.friction->W : problem.M; }
+  VectorXd& vector() { return problem.friction ? problem.friction->vbar : problem.q; }
 };
 
 /// T of a contact's axes turned about the normal by an angle: new coordinates are T times the old.
@@ -177,14 +161,20 @@ std::string reason_against_reassembly(const Problem& problem) {
 
 Disturbed with_noise(const Instance& instance, Index last_bits, Random& random,
                      const std::string& label) {
-  require_none(reason_against_reassembly(instance.problem), instance);
-  Problem changed = instance.problem;
-  Noise noise(last_bits, random);
-  noise.disturb(changed.friction ? changed.friction->W : changed.M);
-  noise.disturb(changed.friction ? changed.friction->vbar : changed.q);
-  const VectorXd ones = VectorXd::Ones(changed.size());
-  return mapped(instance, remade(instance.problem, std::move(changed), ones, ones),
-                identity_map(instance.problem.size()), label);
+  Numbers changed(instance);
+  const auto disturb_number = [&](double& number) {
+    const auto k = static_cast<double>(random.integer(-last_bits, last_bits));
+    number *= 1 + std::ldexp(k, -52);
+  };
+  MatrixXd& M = changed.matrix();
+  const bool symmetric = M == M.transpose();
+  for (Index j = 0; j < M.cols(); ++j)
+    for (Index i = symmetric ? j : 0; i < M.rows(); ++i) disturb_number(M(i, j));
+  if (symmetric) M.triangularView<Eigen::StrictlyUpper>() = MatrixXd(M.transpose());
+  for (double& number : changed.vector()) disturb_number(number);
+  const VectorXd ones = VectorXd::Ones(instance.problem.size());
+  return mapped(instance, remade(instance.problem, std::move(changed.problem), ones, ones),
+                RowMap(ones), label);
 }
 
 Order random_order(const Problem& problem, Random& random) {
@@ -242,38 +232,24 @@ FrictionBlocks permuted_blocks(const FrictionBlocks& blocks, const Order& order)
 Order inverse(const Order& order) { return {inverse_of(order.rows), inverse_of(order.contacts)}; }
 
 Disturbed permuted(const Instance& instance, const Order& order, const std::string& label) {
-  const Problem& original = instance.problem;
-  const std::vector<Index>& rows = order.rows;
-  Problem problem;
-  problem.M = original.M(rows, rows);
-  problem.q = original.q(rows);
-  problem.s_z = original.s_z(rows);
-  problem.s_w = original.s_w(rows);
-  if (original.c.size() > 0) problem.c = original.c(rows);
-  problem.pivot_limit = original.pivot_limit;
-  if (original.friction) problem.friction = permuted_blocks(*original.friction, order);
-  return mapped(instance, std::move(problem), {rows, VectorXd::Ones(original.size())}, label);
+  Problem problem = keep_rows(instance.problem, order.rows);
+  if (instance.problem.friction)
+    problem.friction = permuted_blocks(*instance.problem.friction, order);
+  return mapped(instance, std::move(problem), RowMap(order.rows), label);
 }
 
 Disturbed in_units(const Instance& instance, const Units& units, const std::string& label) {
-  require_none(reason_against_reassembly(instance.problem), instance);
+  Numbers changed(instance);
   const Problem& original = instance.problem;
-  Problem changed = original;
   VectorXd z_factors = VectorXd::Constant(original.size(), units.force);
   VectorXd w_factors = VectorXd::Constant(original.size(), units.length);
-  if (changed.friction) {
-    changed.friction->W *= units.length / units.force;
-    changed.friction->vbar *= units.length;
-    for (const Index row : changed.friction->cone_row)
+  changed.matrix() *= units.length / units.force;
+  changed.vector() *= units.length;
+  if (original.friction)
+    for (const Index row : original.friction->cone_row)
       if (row >= 0) std::swap(z_factors(row), w_factors(row));
-  } else {
-    changed.M *= units.length / units.force;
-    changed.q *= units.length;
-  }
-  RowMap map = identity_map(original.size());
-  map.factors = z_factors.cwiseInverse();
-  return mapped(instance, remade(original, std::move(changed), z_factors, w_factors),
-                std::move(map), label);
+  return mapped(instance, remade(original, std::move(changed.problem), z_factors, w_factors),
+                RowMap(z_factors.cwiseInverse()), label);
 }
 
 std::string reason_against_turning(const Problem& problem) {
@@ -300,7 +276,7 @@ Disturbed turned_by_steps(const Instance& instance, const std::vector<Index>& st
   const Index m = blocks.directions_per_contact;
   const MatrixXd regular = regular_directions(m);
   std::vector<Eigen::Matrix2d> turns;
-  RowMap map = identity_map(instance.problem.size());
+  RowMap map(VectorXd::Ones(instance.problem.size()));
   for (Index i = 0; i < blocks.contacts(); ++i) {
     const Index step = ((steps.at(i) % m) + m) % m;
     turns.push_back(turn(regular(0, step), regular(1, step)));
@@ -333,16 +309,13 @@ Disturbed turned_by_angles(const Instance& instance, const VectorXd& angles,
 }
 
 Disturbed with_scaled_q(const Instance& instance, int exponent, const std::string& label) {
-  require_none(reason_against_reassembly(instance.problem), instance);
+  Numbers changed(instance);
   const double factor = std::pow(10, exponent);
-  Problem changed = instance.problem;
-  (changed.friction ? changed.friction->vbar : changed.q) *= factor;
-  const VectorXd factors = VectorXd::Constant(changed.size(), factor);
-  RowMap map = identity_map(changed.size());
-  map.factors = factors.cwiseInverse();
-  Problem problem = remade(instance.problem, std::move(changed), factors, factors);
+  changed.vector() *= factor;
+  const VectorXd factors = VectorXd::Constant(instance.problem.size(), factor);
+  Problem problem = remade(instance.problem, std::move(changed.problem), factors, factors);
   problem.c = instance.problem.c;  // z0 grows with q
-  return mapped(instance, std::move(problem), std::move(map), label);
+  return mapped(instance, std::move(problem), RowMap(factors.cwiseInverse()), label);
 }
 
 }  // namespace lcp

@@ -1,7 +1,6 @@
 #include "harness/studies/perturb/perturb_plan.h"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <numbers>
@@ -31,13 +30,12 @@ Random random_for(const Instance& instance, DisturbanceKind kind, Index number,
 
 /// The exponents of scale-q in the order in which an instance meets them.
 std::vector<int> exponents(const Instance& instance, std::uint64_t seed) {
-  std::vector<int> all;
-  for (int k = -largest_exponent; k <= largest_exponent; ++k)
-    if (k != 0) all.push_back(k);
-  Random random = random_for(instance, DisturbanceKind::scale_q, 0, seed);
   std::vector<int> drawn;
-  for (const Index place : random.permutation(static_cast<Index>(all.size())))
-    drawn.push_back(all[place]);
+  Random random = random_for(instance, DisturbanceKind::scale_q, 0, seed);
+  for (const Index place : random.permutation(2 * largest_exponent)) {
+    const int exponent = static_cast<int>(place) - largest_exponent;
+    drawn.push_back(exponent < 0 ? exponent : exponent + 1);  // 0 changes nothing
+  }
   return drawn;
 }
 
@@ -67,39 +65,6 @@ void get(const nlohmann::json& json, const char* field, T& value) {
 
 }  // namespace
 
-const std::vector<DisturbanceKind>& all_kinds() {
-  static const std::vector<DisturbanceKind> all = {
-      DisturbanceKind::noise, DisturbanceKind::permutation, DisturbanceKind::units,
-      DisturbanceKind::rotation, DisturbanceKind::scale_q};
-  return all;
-}
-
-std::string to_string(DisturbanceKind kind) {
-  switch (kind) {
-    case DisturbanceKind::noise:
-      return "noise";
-    case DisturbanceKind::permutation:
-      return "permutation";
-    case DisturbanceKind::units:
-      return "units";
-    case DisturbanceKind::rotation:
-      return "rotation";
-    case DisturbanceKind::scale_q:
-      return "scale-q";
-  }
-  return "?";
-}
-
-DisturbanceKind kind_from_string(const std::string& name) {
-  std::vector<std::string> names;
-  for (const DisturbanceKind kind : all_kinds()) {
-    names.push_back(to_string(kind));
-    if (names.back() == name) return kind;
-  }
-  throw std::invalid_argument(
-      fmt::format("unknown kind '{}', expected one of {}", name, fmt::join(names, ", ")));
-}
-
 void to_json(nlohmann::json& json, const PerturbOptions& options) {
   std::vector<std::string> kinds;
   for (const DisturbanceKind kind : options.kinds) kinds.push_back(to_string(kind));
@@ -115,7 +80,7 @@ void from_json(const nlohmann::json& json, PerturbOptions& options) {
   std::vector<std::string> kinds;
   get(json, "kinds", kinds);
   options.kinds.clear();
-  for (const std::string& kind : kinds) options.kinds.push_back(kind_from_string(kind));
+  for (const std::string& kind : kinds) options.kinds.push_back(from_string<DisturbanceKind>(kind));
   get(json, "trials", options.trials);
   get(json, "seed", options.seed);
   get(json, "last_bits", options.last_bits);
@@ -126,33 +91,26 @@ void from_json(const nlohmann::json& json, PerturbOptions& options) {
 }
 
 std::string reason_against(DisturbanceKind kind, const Problem& problem) {
-  switch (kind) {
-    case DisturbanceKind::permutation:
-      return {};
-    case DisturbanceKind::rotation:
-      return reason_against_turning(problem);
-    default:
-      return reason_against_reassembly(problem);
-  }
+  if (kind == DisturbanceKind::permutation) return {};
+  return kind == DisturbanceKind::rotation ? reason_against_turning(problem)
+                                           : reason_against_reassembly(problem);
 }
 
 std::vector<Disturbance> disturbances_of(const Instance& instance, const PerturbOptions& options) {
   std::vector<Disturbance> trials;
   for (const DisturbanceKind kind : options.kinds) {
     if (!reason_against(kind, instance.problem).empty()) continue;
-    const auto add = [&](Index number, const std::string& variant) {
-      trials.push_back({kind, number, fmt::format("{}-{}", to_string(kind), variant)});
-    };
+    std::vector<std::string> variants;
     if (kind == DisturbanceKind::units) {
-      for (Index k = 0; k < std::min<Index>(options.trials, std::size(unit_systems)); ++k)
-        add(k, unit_systems[k].name);
+      for (const NamedUnits& each : unit_systems) variants.emplace_back(each.name);
     } else if (kind == DisturbanceKind::scale_q) {
-      const std::vector<int> drawn = exponents(instance, options.seed);
-      for (Index k = 0; k < std::min<Index>(options.trials, drawn.size()); ++k)
-        add(k, fmt::format("1e{}", drawn[k]));
+      for (const int exponent : exponents(instance, options.seed))
+        variants.push_back(fmt::format("1e{}", exponent));
     } else {
-      for (Index k = 0; k < options.trials; ++k) add(k, fmt::format("{}", k + 1));
+      for (Index k = 1; k <= options.trials; ++k) variants.push_back(fmt::format("{}", k));
     }
+    for (Index k = 0; k < std::min<Index>(options.trials, std::ssize(variants)); ++k)
+      trials.push_back({kind, k, fmt::format("{}-{}", to_string(kind), variants[k])});
   }
   return trials;
 }

@@ -8,6 +8,7 @@
 
 #include "harness/runs/run_directory.h"
 #include "harness/studies/perturb/perturb_kinds.h"
+#include "solvers/names.h"
 
 namespace lcp {
 
@@ -20,14 +21,9 @@ enum class DisturbanceKind {
   scale_q,      ///< q times a power of ten, 1e-6 ... 1e6.
 };
 
-const std::vector<DisturbanceKind>& all_kinds();
-std::string to_string(DisturbanceKind kind);
-/// Throws std::invalid_argument with the list of kinds.
-DisturbanceKind kind_from_string(const std::string& name);
-
 /// Which disturbances an instance meets.
 struct PerturbOptions {
-  std::vector<DisturbanceKind> kinds = all_kinds();
+  std::vector<DisturbanceKind> kinds = all_values<DisturbanceKind>();
   /// Disturbed versions per instance and kind; at most 3 of `units` and 12 of `scale-q`, of which
   /// there are no more.
   Index trials = 5;

@@ -1,22 +1,49 @@
 #pragma once
 
-#include "harness/studies/replay/quad_matrix.h"
+#include <Eigen/Dense>
+
+#include "harness/judge/quad.h"
 #include "solvers/linalg/labels.h"
 
+namespace Eigen {
+
+/// What Eigen asks of a number that it does not know.
+template <>
+struct NumTraits<lcp::Quad> : GenericNumTraits<lcp::Quad> {
+  enum {
+    IsInteger = 0,
+    IsSigned = 1,
+    IsComplex = 0,
+    RequireInitialization = 0,
+    ReadCost = 1,
+    AddCost = 30,
+    MulCost = 30
+  };
+};
+
+}  // namespace Eigen
+
 namespace lcp {
+
+using QuadMatrix = Eigen::Matrix<Quad, Eigen::Dynamic, Eigen::Dynamic>;
+using QuadVector = Eigen::Matrix<Quad, Eigen::Dynamic, 1>;
+
+/// Replaces a square matrix by its inverse, k^3 multiply-adds. False, and the matrix as it was, where a
+/// pivot is 0 or not finite.
+bool invert(QuadMatrix& matrix);
 
 /// The data of an LCP in 113 bits, as a pivoting method sees them (solvers/linalg/scaled_problem.h): M
 /// and q are doubles and taken as exact; scaled, their quotients by s_w and s_z round once.
 struct HighProblem {
   QuadMatrix M;
-  Quads q;
-  Quads c;  ///< Covering vector in original rows: 1, the instance's own, or that of a start.
+  QuadVector q;
+  QuadVector c;  ///< Covering vector in original rows: 1, the instance's own, or that of a start.
 
   /// `alpha` is the starting basis, empty for a cold start; c is then 1 in the dictionary of alpha, that
   /// is c_alpha = -M_alpha,alpha 1 and c_rest = 1 - M_rest,alpha 1.
   HighProblem(const Problem& problem, bool scale, const std::vector<Index>& alpha = {});
 
-  Index size() const { return static_cast<Index>(q.size()); }
+  Index size() const { return q.size(); }
 };
 
 /// A number and how far it may be off: to first order in the rounding of 113 bits, of the data's
@@ -45,7 +72,7 @@ using Estimates = std::vector<Estimate>;
 /// zero of the exact rational arithmetic always is, and comes out as exactly 0. Any other number has
 /// the right sign. What is not zero and yet that small would have to be so by chance.
 ///
-/// Costs k^3 + n k multiply-adds in software (about 50 ns each), and k^2 + n k for every column.
+/// Costs k^3 + n k multiply-adds in software (about 50 ns each), and 3 k^2 + n k for every column.
 class HighDictionary {
  public:
   HighDictionary(const HighProblem& problem, const Labels& labels, double zero);
@@ -55,20 +82,22 @@ class HighDictionary {
   const Labels& labels() const { return labels_; }
   const Estimates& q() const { return q_; }
   /// m' of a nonbasic variable.
-  Estimates column(Variable v) const;
+  Estimates column(Variable v) const { return entries(v, rows_); }
   /// Its entries in the given rows.
-  Estimates entries(Variable v, const std::vector<Index>& rows) const;
+  Estimates entries(Variable v, const std::vector<Index>& rows) const {
+    return entries_of(right_side(v), rows);
+  }
 
  private:
-  Quads right_side(Variable v) const;
-  Estimates kernel_solution(const Quads& b) const;
-  Estimate entry(const Quads& b, const Estimates& x, Index row) const;
-  Estimates all_entries(const Quads& b) const;
+  QuadVector right_side(Variable v) const;
+  Estimates kernel_solution(const QuadVector& b) const;
+  Estimates entries_of(const QuadVector& b, const std::vector<Index>& rows) const;
   void set_kernel();
 
   const HighProblem* problem_;
   Labels labels_;
   double zero_;
+  std::vector<Index> rows_;              ///< 0 ... n - 1.
   std::vector<Index> R_;                 ///< Rows whose w is nonbasic.
   std::vector<Variable> A_;              ///< Basic z (and z0), by rows of the dictionary.
   std::vector<Index> place_;             ///< Of a dictionary row in A_, or -1 where a w is basic.

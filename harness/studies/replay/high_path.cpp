@@ -7,78 +7,6 @@
 
 namespace lcp {
 
-namespace {
-
-/// One walk along the path, and the dictionary it stands at.
-class Walk {
- public:
-  Walk(const Problem& problem, const PathRule& rule, const std::vector<Index>& alpha,
-       const HighLimits& limits)
-      : problem_(problem),
-        rule_(rule),
-        limits_(limits),
-        high_(problem, rule.scale, alpha),
-        labels_(problem.size(), alpha),
-        dictionary_(high_, labels_, limits.zero),
-        first_(labels_.basic()),
-        accepted_(alpha.empty() ? 0 : rule.z0) {}
-
-  HighPath run() {
-    path_.claim = claim_at_the_end();
-    if (dictionary_.usable()) path_.z = point_of(dictionary_, problem_, rule_.scale);
-    return std::move(path_);
-  }
-
- private:
-  Claim claim_at_the_end() {
-    if (!dictionary_.usable()) return Claim::singular;
-    if (is_solved()) return Claim::solved;
-    const Index max_pivots = rule_.max_pivots > 0 ? rule_.max_pivots : problem_.max_pivots();
-    Variable driving = labels_.z0();
-    HighChoice choice = high_step0(dictionary_, rule_, limits_.zero);
-    Visited visited;
-    BasisKey key(labels_, -1);
-    while (true) {
-      path_.undecided = path_.cut_short = choice.undecided;
-      if (choice.undecided) return Claim::limit;
-      if (choice.row < 0) return Claim::ray;
-      const Index pivots = static_cast<Index>(path_.pivots.size());
-      if (pivots == max_pivots) return Claim::limit;
-      path_.cut_short =
-          pivots == limits_.most_pivots || (limits_.interrupted != nullptr && *limits_.interrupted);
-      if (path_.cut_short) return Claim::limit;
-      limits_.progress(pivots);
-
-      const Variable leaving = labels_.exchange({choice.row, driving});
-      path_.pivots.push_back({driving, leaving, choice});
-      dictionary_ = HighDictionary(high_, labels_, limits_.zero);
-      if (!dictionary_.usable()) return Claim::singular;
-      if (leaving == labels_.z0()) return Claim::solved;
-      const Variable entered = std::exchange(driving, labels_.complement(leaving));
-      key.follow(labels_, entered, leaving, driving);
-      if (!visited.insert(key)) return Claim::cycle;
-      choice = high_step1(dictionary_, driving, first_, rule_, limits_.zero);
-    }
-  }
-
-  bool is_solved() const {
-    return std::all_of(dictionary_.q().begin(), dictionary_.q().end(),
-                       [this](const Estimate& x) { return x.value >= -accepted_; });
-  }
-
-  const Problem& problem_;
-  const PathRule& rule_;
-  const HighLimits& limits_;
-  const HighProblem high_;
-  Labels labels_;
-  HighDictionary dictionary_;
-  const std::vector<Variable> first_;
-  const double accepted_;  ///< A starting basis with min q' above minus this is the solution.
-  HighPath path_;
-};
-
-}  // namespace
-
 VectorXd point_of(const HighDictionary& dictionary, const Problem& problem, bool scale) {
   const Labels& labels = dictionary.labels();
   VectorXd z = VectorXd::Zero(labels.size());
@@ -94,7 +22,49 @@ VectorXd point_of(const HighDictionary& dictionary, const Problem& problem, bool
 
 HighPath follow_high_path(const Problem& problem, const PathRule& rule,
                           const std::vector<Index>& alpha, const HighLimits& limits) {
-  return Walk(problem, rule, alpha, limits).run();
+  const HighProblem high(problem, rule.scale, alpha);
+  Labels labels(problem.size(), alpha);
+  HighDictionary dictionary(high, labels, limits.zero);
+  const std::vector<Variable> first = labels.basic();
+  HighPath path;
+
+  const auto claim_at_the_end = [&] {
+    if (!dictionary.usable()) return Claim::singular;
+    // A starting basis with min q' above minus this is the solution.
+    const double accepted = alpha.empty() ? 0 : rule.z0;
+    if (std::all_of(dictionary.q().begin(), dictionary.q().end(),
+                    [=](const Estimate& x) { return x.value >= -accepted; }))
+      return Claim::solved;
+    const Index max_pivots = rule.max_pivots > 0 ? rule.max_pivots : problem.max_pivots();
+    Variable driving = labels.z0();
+    HighChoice choice = high_step0(dictionary, rule, limits.zero);
+    Visited visited;
+    BasisKey key(labels, -1);
+    while (true) {
+      path.undecided = path.cut_short = choice.undecided;
+      if (choice.undecided) return Claim::limit;
+      if (choice.row < 0) return Claim::ray;
+      const Index pivots = static_cast<Index>(path.pivots.size());
+      if (pivots == max_pivots) return Claim::limit;
+      path.cut_short =
+          pivots == limits.most_pivots || (limits.interrupted != nullptr && *limits.interrupted);
+      if (path.cut_short) return Claim::limit;
+      limits.progress(pivots);
+
+      const Variable leaving = labels.exchange({choice.row, driving});
+      path.pivots.push_back({driving, leaving, choice});
+      dictionary = HighDictionary(high, labels, limits.zero);
+      if (!dictionary.usable()) return Claim::singular;
+      if (leaving == labels.z0()) return Claim::solved;
+      const Variable entered = std::exchange(driving, labels.complement(leaving));
+      key.follow(labels, entered, leaving, driving);
+      if (!visited.insert(key)) return Claim::cycle;
+      choice = high_step1(dictionary, driving, first, rule, limits.zero);
+    }
+  };
+  path.claim = claim_at_the_end();
+  if (dictionary.usable()) path.z = point_of(dictionary, problem, rule.scale);
+  return path;
 }
 
 std::optional<double> basis_residual(const Problem& problem, const std::vector<Index>& alpha,

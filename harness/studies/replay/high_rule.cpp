@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
 
 namespace lcp {
 
@@ -73,8 +72,7 @@ Index lexicographically_least(const HighDictionary& dictionary, const Estimates&
 std::optional<PathRule> path_rule(const NamedSolver& solver) {
   const auto row = lexicographic_by_row().find(solver.info.name);
   if (row == lexicographic_by_row().end()) return std::nullopt;
-  std::map<std::string, std::string> set;
-  for (const Option& option : solver.solver->options()) set[option.name] = option.get();
+  const std::map<std::string, std::string> set = settings_of(solver);
   const auto number = [&](const char* name) { return std::stod(set.at(name)); };
   PathRule rule;
   rule.lexicographic = row->second;
@@ -88,8 +86,18 @@ std::optional<PathRule> path_rule(const NamedSolver& solver) {
   return rule;
 }
 
+std::map<std::string, std::string> settings_of(const NamedSolver& solver) {
+  std::map<std::string, std::string> set;
+  for (const Option& option : solver.solver->options()) set[option.name] = option.get();
+  return set;
+}
+
 bool surely_less(const Estimate& a, const Estimate& b, double zero) {
   return a.value < b.value && b.value - a.value > zero * (a.error + b.error);
+}
+
+bool may_be_pivot(const Estimate& m, double pivot, double zero) {
+  return surely_less(m, {-static_cast<Quad>(pivot), 0}, zero);
 }
 
 Estimate ratio_of(const Estimate& q, const Estimate& m) {
@@ -124,36 +132,31 @@ HighChoice high_step1(const HighDictionary& dictionary, Variable driving,
   std::vector<Index> blocking;
   Estimates ratios;
   for (std::size_t i = 0; i < m.size(); ++i) {
-    if (!surely_less(m[i], {-static_cast<Quad>(rule.pivot), 0}, zero)) continue;
+    if (!may_be_pivot(m[i], rule.pivot, zero)) continue;
     blocking.push_back(static_cast<Index>(i));
     ratios.push_back(ratio_of(dictionary.q()[i], m[i]));
   }
-  const bool undecided = in_doubt(dictionary.q(), m, blocking, rule.pivot);
-  if (blocking.empty()) {
-    HighChoice nothing;
-    nothing.undecided = undecided;
-    return nothing;
-  }
+  HighChoice choice;
+  choice.undecided = in_doubt(dictionary.q(), m, blocking, rule.pivot);
+  if (blocking.empty()) return choice;
   const Estimate least = ratios[least_of(ratios)];
-  const auto chosen = [&](std::size_t k, Index tied) {
-    return HighChoice{blocking[k], ratios[k], m[blocking[k]], tied, undecided};
-  };
+  const Estimate threshold = plus(least, rule.lexicographic ? rule.delta : 0);
   const auto place_of = [&](Index row) {
     return std::find(blocking.begin(), blocking.end(), row) - blocking.begin();
   };
   std::vector<Index> tied;
-  const Estimate threshold = plus(least, rule.lexicographic ? rule.delta : 0);
   for (std::size_t k = 0; k < blocking.size(); ++k)
     if (!surely_less(threshold, ratios[k], zero)) tied.push_back(blocking[k]);
-  const Index count = static_cast<Index>(tied.size());
-  if (!rule.lexicographic) return chosen(place_of(tied.front()), count);
-
-  const Index z0_row = dictionary.labels().row_of(dictionary.labels().z0());
-  const std::size_t z0 = place_of(z0_row);
-  if (z0 < blocking.size() && !surely_less(plus(least, rule.z0), ratios[z0], zero))
-    return chosen(z0, count);
-  return chosen(
-      place_of(lexicographically_least(dictionary, m, first, rule, zero, std::move(tied))), count);
+  choice.tied = static_cast<Index>(tied.size());
+  std::size_t place = place_of(dictionary.labels().row_of(dictionary.labels().z0()));
+  if (!rule.lexicographic)
+    place = place_of(tied.front());
+  else if (place == blocking.size() || surely_less(plus(least, rule.z0), ratios[place], zero))
+    place = place_of(lexicographically_least(dictionary, m, first, rule, zero, std::move(tied)));
+  choice.row = blocking[place];
+  choice.ratio = ratios[place];
+  choice.pivot = m[choice.row];
+  return choice;
 }
 
 }  // namespace lcp

@@ -1,6 +1,8 @@
 #pragma once
 
+#include <map>
 #include <optional>
+#include <string>
 
 #include "harness/studies/replay/high_dictionary.h"
 #include "solvers/registry.h"
@@ -22,14 +24,17 @@ struct PathRule {
 /// empty for other rows.
 std::optional<PathRule> path_rule(const NamedSolver& solver);
 
+/// The settings of a solver's options, by name.
+std::map<std::string, std::string> settings_of(const NamedSolver& solver);
+
 /// The choice of Step 0 or Step 1; row -1: nothing blocks.
 struct HighChoice {
   Index row = -1;
-  Estimate ratio;
-  Estimate pivot;  ///< m'_s; where nothing blocks, nothing.
+  Estimate ratio = {};
+  Estimate pivot = {};  ///< m'_s; where nothing blocks, nothing.
   Index tied = 0;
-  bool undecided =
-      false;  ///< 113 bits do not tell whether a row blocks, or where (Estimate::doubt).
+  /// Whether a row blocks, or where, 113 bits do not say (Estimate::doubt).
+  bool undecided = false;
 };
 
 /// Step 0: least q'_i / c_i, the lowest row of exact ties; of the lexicographic rule the last within
@@ -43,6 +48,9 @@ HighChoice high_step1(const HighDictionary& dictionary, Variable driving,
 
 /// Whether a < b beyond the error of either.
 bool surely_less(const Estimate& a, const Estimate& b, double zero);
+
+/// Whether m' is surely below minus a pivot tolerance.
+bool may_be_pivot(const Estimate& m, double pivot, double zero);
 
 /// -q / m with its error; m is not 0.
 Estimate ratio_of(const Estimate& q, const Estimate& m);

@@ -2,8 +2,10 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
-#include <sstream>
+
+#include "harness/present/columns.h"
 
 namespace lcp {
 
@@ -11,11 +13,13 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr std::size_t columns = 98;
-constexpr const char* indent = "  ";
+double rounded(const Estimate& x) { return static_cast<double>(x.value); }
 
-double rounded(Quad x) { return static_cast<double>(x); }
-double rounded(const Estimate& x) { return rounded(x.value); }
+/// Infinite figures are strings.
+Json number(double value) {
+  if (std::isfinite(value)) return value;
+  return fmt::format("{}", value);
+}
 
 /// Name in the instance of a variable of the shown island.
 std::string name_in(const Replay& replay, Variable v, Index n) {
@@ -26,20 +30,6 @@ std::string name_in(const Replay& replay, Variable v, Index n) {
 }
 
 Index row_in(const Replay& replay, Index row) { return replay.rows[row] + 1; }
-
-/// Lines of at most `columns`, indented, broken between words.
-std::string folded(const std::string& text) {
-  std::string out, line;
-  std::istringstream words(text);
-  for (std::string word; words >> word;) {
-    if (!line.empty() && line.size() + word.size() + 1 > columns) {
-      out += indent + line + "\n";
-      line = "  ";
-    }
-    line += (line.empty() || line == "  " ? "" : " ") + word;
-  }
-  return out + indent + line + "\n";
-}
 
 std::string of_the_rule(const Replay& replay, Index n) {
   const Departure& departure = *replay.departure;
@@ -57,23 +47,32 @@ std::string fault(const Departure& departure) {
   using Why = Departure::Why;
   switch (departure.why) {
     case Why::zero_pivot:
-      return "which is 0 in exact arithmetic";
+      return ", which is 0 in exact arithmetic";
     case Why::no_pivot:
-      return fmt::format("which is {:.4g} in 113 bits and no pivot", rounded(departure.size));
+      return fmt::format(", which is {:.4g} in 113 bits and no pivot", rounded(departure.size));
     case Why::larger_ratio:
-      return fmt::format("whose ratio, {:.6g} in 113 bits, is not the least",
+      return fmt::format(", whose ratio, {:.6g} in 113 bits, is not the least",
                          rounded(departure.ratio));
     case Why::lost_tie:
-      return "which is tied in 113 bits but not the row to take";
+      return ", which is tied in 113 bits but not the row to take";
     case Why::infeasible:
-      return fmt::format("which leaves min q' = {:.4g} in 113 bits", rounded(departure.q_min));
+      return fmt::format(", which leaves min q' = {:.4g} in 113 bits",
+                         static_cast<double>(departure.q_min));
     case Why::singular_basis:
-      return "in a basis that is singular to 113 bits";
+      return ", in a basis that is singular to 113 bits";
     case Why::ended:
     case Why::went_on:
-      return "";
+      break;
   }
   return "";
+}
+
+/// A pivot judged by itself.
+std::string of_one_pivot(const Replay& replay, const Departure& departure, Index n) {
+  const PivotEvent& taken = replay.steps[departure.pivot - 1].event;
+  return fmt::format("number {}: {} enters and takes row {} ({} leaves) with pivot {:.3g}{}",
+                     departure.pivot, name_in(replay, taken.entering, n), row_in(replay, taken.row),
+                     name_in(replay, taken.leaving, n), taken.pivot, fault(departure));
 }
 
 std::string of_a_path(const Replay& replay, Index n) {
@@ -82,26 +81,7 @@ std::string of_a_path(const Replay& replay, Index n) {
     return fmt::format("the run ends after {} pivots ({}), where {} enters and {}",
                        replay.steps.size(), to_string(replay.island_claim),
                        name_in(replay, departure.entering, n), of_the_rule(replay, n));
-  const PivotEvent& taken = replay.steps[departure.pivot - 1].event;
-  const std::string what = fault(departure);
-  return fmt::format("number {}: {} enters and takes row {} ({} leaves) with pivot {:.3g}{}{}; {}",
-                     departure.pivot, name_in(replay, taken.entering, n), row_in(replay, taken.row),
-                     name_in(replay, taken.leaving, n), taken.pivot, what.empty() ? "" : ", ", what,
-                     of_the_rule(replay, n));
-}
-
-/// A pivot judged by itself.
-std::string of_one_pivot(const Replay& replay, const Departure& departure, Index n) {
-  const PivotEvent& taken = replay.steps[departure.pivot - 1].event;
-  return fmt::format("number {}: {} enters and takes row {} ({} leaves) with pivot {:.3g}, {}",
-                     departure.pivot, name_in(replay, taken.entering, n), row_in(replay, taken.row),
-                     name_in(replay, taken.leaving, n), taken.pivot, fault(departure));
-}
-
-/// Empty where the first wrong pivot is the one.
-std::string of_the_first_none(const Replay& replay, Index n) {
-  if (!replay.first_none || replay.first_none->pivot == replay.departure->pivot) return "";
-  return "first pivot that is none: " + of_one_pivot(replay, *replay.first_none, n);
+  return of_one_pivot(replay, departure, n) + "; " + of_the_rule(replay, n);
 }
 
 std::string end_of_path(const Replay& replay) {
@@ -131,89 +111,118 @@ std::string comparison(const Replay& replay) {
   return "";
 }
 
-std::string header(const Replay& replay) {
-  std::string line = fmt::format("  {:>5} {:>6} {:>6} {:>10} {:>4} {:>10} {:>8}", "pivot", "enters",
-                                 "leaves", "ratio", "tied", "pivot size", "cond");
-  if (replay.comparison == Beside::path)
-    line += fmt::format(" | {:>6} {:>6} {:>10} {:>10}", "113:", "leaves", "ratio", "pivot size");
-  if (replay.comparison == Beside::search) line += fmt::format(" | {:>6} 113 bits", "parent");
-  return line + "\n";
+bool is_at(const std::optional<Departure>& found, std::size_t k) {
+  return found && found->pivot == static_cast<Index>(k) + 1;
 }
 
-bool departs_at(const Replay& replay, std::size_t k) {
-  return replay.departure && replay.departure->pivot == static_cast<Index>(k) + 1;
+/// A pivot of the run, or of the rule in 113 bits.
+struct Taken {
+  Variable entering, leaving;
+  Index row, tied;
+  double ratio, size;
+};
+
+std::optional<Taken> by_run(const Replay& replay, std::size_t k) {
+  if (k >= replay.steps.size()) return std::nullopt;
+  const PivotEvent& event = replay.steps[k].event;
+  return Taken{event.entering, event.leaving, event.row, event.tied, event.ratio, event.pivot};
 }
 
-/// > the first wrong pivot, 0 the first that is 0 in 113 bits.
-const char* mark(const Replay& replay, std::size_t k) {
-  if (departs_at(replay, k)) return "> ";
-  return replay.first_none && replay.first_none->pivot == static_cast<Index>(k) + 1 ? "0 " : indent;
+std::optional<Taken> by_rule(const Replay& replay, std::size_t k) {
+  if (k >= replay.path.pivots.size()) return std::nullopt;
+  const auto& [entering, leaving, choice] = replay.path.pivots[k];
+  return Taken{
+      entering, leaving, choice.row, choice.tied, rounded(choice.ratio), rounded(choice.pivot)};
 }
 
-std::string left_part(const Replay& replay, std::size_t k, Index n) {
-  if (k >= replay.steps.size()) return fmt::format("{:<57}", "");
-  const Trace::Step& step = replay.steps[k];
-  const PivotEvent& event = step.event;
-  return fmt::format("{}{:>5} {:>6} {:>6} {:>10.4g} {:>4} {:>10.4g} {:>8}", mark(replay, k), k + 1,
-                     name_in(replay, event.entering, n), name_in(replay, event.leaving, n),
-                     event.ratio, event.tied, event.pivot,
-                     step.condition ? fmt::format("{:.2g}", *step.condition) : "-");
+using PivotColumns = std::vector<Column<std::size_t>>;  // Of a pivot by its number, from 0.
+
+/// The columns of what `taken` gives, empty where it gives nothing.
+PivotColumns columns_of(const Replay& replay, Index n,
+                        std::optional<Taken> (*taken)(const Replay&, std::size_t)) {
+  const auto column = [&replay, taken](ColumnHead head, auto value) -> Column<std::size_t> {
+    return {std::move(head), [&replay, taken, value](std::size_t k) {
+              const std::optional<Taken> pivot = taken(replay, k);
+              return pivot ? Cell(value(*pivot)) : Cell();
+            }};
+  };
+  return {
+      column({"entering", "enters"},
+             [&replay, n](const Taken& p) { return name_in(replay, p.entering, n); }),
+      column({"leaving", "leaves"},
+             [&replay, n](const Taken& p) { return name_in(replay, p.leaving, n); }),
+      column({"row"}, [&replay](const Taken& p) { return row_in(replay, p.row); }),
+      column({"ratio", "ratio", "", "{:.4g}"}, [](const Taken& p) { return number(p.ratio); }),
+      column({"tied", "tied"}, [](const Taken& p) { return p.tied; }),
+      column({"size", "pivot size", "", "{:.4g}"}, [](const Taken& p) { return number(p.size); })};
 }
 
-std::string right_part(const Replay& replay, std::size_t k, Index n) {
-  if (replay.comparison == Beside::search) {
-    const char* word = departs_at(replay, k) ? "not allowed" : k < replay.checked ? "allowed" : "-";
-    return fmt::format(" | {:>6} {}", replay.steps[k].event.parent, word);
+/// The number of a pivot, what the run took and its condition.
+PivotColumns columns_of_run(const Replay& replay, Index n) {
+  PivotColumns columns = columns_of(replay, n, by_run);
+  columns.insert(columns.begin(), {{"pivot"}, [](std::size_t k) { return k + 1; }});
+  columns.push_back({{"condition", "cond", "", "{:.2g}"}, [&replay](std::size_t k) {
+                       const bool known = k < replay.steps.size() && replay.steps[k].condition;
+                       return known ? number(*replay.steps[k].condition) : Cell();
+                     }});
+  return columns;
+}
+
+std::string pivots_text(const Replay& replay, Index n) {
+  PivotColumns columns = columns_of_run(replay, n);
+  columns.insert(columns.begin(), {{"", "  pivot"}, [&replay](std::size_t k) {
+                                     const char* mark = is_at(replay.departure, k)    ? "> "
+                                                        : is_at(replay.first_none, k) ? "0 "
+                                                                                      : "  ";
+                                     return k < replay.steps.size()
+                                                ? fmt::format("{}{:>5}", mark, k + 1)
+                                                : std::string();
+                                   }});
+  if (replay.comparison != Beside::none)
+    columns.push_back({{"", "|"}, [](std::size_t) { return "|"; }});
+  if (replay.comparison == Beside::path) {
+    for (Column<std::size_t>& column : columns_of(replay, n, by_rule))
+      if (column.key != "tied") columns.push_back(std::move(column));
+    (columns.end() - 5)->heading = "113:";
+  } else if (replay.comparison == Beside::search) {
+    columns.push_back(
+        {{"", "parent"}, [&replay](std::size_t k) { return replay.steps[k].event.parent; }});
+    columns.push_back(
+        {{"", "113 bits"}, [&replay](std::size_t k) {
+           return is_at(replay.departure, k) ? "not allowed" : k < replay.checked ? "allowed" : "-";
+         }});
   }
-  if (replay.comparison == Beside::none) return "";
-  if (k >= replay.path.pivots.size()) return " |";
-  const HighPivot& pivot = replay.path.pivots[k];
-  return fmt::format(" | {:>6} {:>6} {:>10.4g} {:>10.4g}", name_in(replay, pivot.entering, n),
-                     name_in(replay, pivot.leaving, n), rounded(pivot.choice.ratio),
-                     rounded(pivot.choice.pivot));
-}
-
-/// Pivots shown, those that only the rule takes among them.
-std::size_t shown_end(const Replay& replay) {
-  const bool more = departs_at(replay, replay.end) && replay.end < replay.path.pivots.size();
-  return replay.end + (more ? 1 : 0);
-}
-
-std::string left_out(const Replay& replay) {
+  std::vector<std::size_t> shown;
+  for (std::size_t k = replay.begin; k < replay.end; ++k) shown.push_back(k);
+  if (is_at(replay.departure, replay.end) && replay.end < replay.path.pivots.size())
+    shown.push_back(replay.end);  // that the rule alone takes
+  std::string out = text_table(cells_of(columns, shown), {.empty = ""});
   const std::size_t before = replay.begin, after = replay.steps.size() - replay.end;
-  if (before + after == 0) return "";
-  return fmt::format("  left out: {} pivots before these, {} after them (--all)\n", before, after);
-}
-
-Json number(double value) {
-  if (std::isfinite(value)) return value;
-  return fmt::format("{}", value);
-}
-
-const char* word(Departure::Why why) {
-  static constexpr const char* words[] = {"zero pivot",    "no pivot",       "larger ratio",
-                                          "lost tie",      "infeasible",     "singular basis",
-                                          "the run ended", "the run went on"};
-  return words[static_cast<int>(why)];
+  if (before + after > 0)
+    out +=
+        fmt::format("  left out: {} pivots before these, {} after them (--all)\n", before, after);
+  return out;
 }
 
 Json departure_json(const Replay& replay, const std::optional<Departure>& found, Index n) {
+  static constexpr const char* words[] = {"zero pivot",    "no pivot",       "larger ratio",
+                                          "lost tie",      "infeasible",     "singular basis",
+                                          "the run ended", "the run went on"};
   if (!found) return nullptr;
-  const Departure& departure = *found;
-  Json out = {{"pivot", departure.pivot},
-              {"why", word(departure.why)},
-              {"entering", name_in(replay, departure.entering, n)},
+  Json out = {{"pivot", found->pivot},
+              {"why", words[static_cast<int>(found->why)]},
+              {"entering", name_in(replay, found->entering, n)},
               {"row", nullptr},
               {"rule_row", nullptr}};
-  if (departure.row >= 0) {
-    out["row"] = row_in(replay, departure.row);
-    out["pivot_in_113_bits"] = number(rounded(departure.size));
-    out["ratio_in_113_bits"] = number(rounded(departure.ratio));
+  if (found->row >= 0) {
+    out["row"] = row_in(replay, found->row);
+    out["pivot_in_113_bits"] = number(rounded(found->size));
+    out["ratio_in_113_bits"] = number(rounded(found->ratio));
   }
-  if (departure.rule.row >= 0) {
-    out["rule_row"] = row_in(replay, departure.rule.row);
-    out["rule_ratio"] = number(rounded(departure.rule.ratio));
-    out["rule_pivot"] = number(rounded(departure.rule.pivot));
+  if (found->rule.row >= 0) {
+    out["rule_row"] = row_in(replay, found->rule.row);
+    out["rule_ratio"] = number(rounded(found->rule.ratio));
+    out["rule_pivot"] = number(rounded(found->rule.pivot));
   }
   return out;
 }
@@ -221,24 +230,9 @@ Json departure_json(const Replay& replay, const std::optional<Departure>& found,
 Json pivots_json(const Replay& replay, Index n) {
   Json all = Json::array();
   for (std::size_t k = replay.begin; k < replay.end; ++k) {
-    const Trace::Step& step = replay.steps[k];
-    all.push_back({{"pivot", k + 1},
-                   {"entering", name_in(replay, step.event.entering, n)},
-                   {"leaving", name_in(replay, step.event.leaving, n)},
-                   {"row", row_in(replay, step.event.row)},
-                   {"ratio", number(step.event.ratio)},
-                   {"tied", step.event.tied},
-                   {"size", number(step.event.pivot)},
-                   {"condition", nullptr}});
-    if (step.condition) all.back()["condition"] = number(*step.condition);
-    if (k >= replay.path.pivots.size()) continue;
-    const HighPivot& high = replay.path.pivots[k];
-    all.back()["in_113_bits"] = {{"entering", name_in(replay, high.entering, n)},
-                                 {"leaving", name_in(replay, high.leaving, n)},
-                                 {"row", row_in(replay, high.choice.row)},
-                                 {"ratio", number(rounded(high.choice.ratio))},
-                                 {"tied", high.choice.tied},
-                                 {"size", number(rounded(high.choice.pivot))}};
+    all.push_back(json_object(columns_of_run(replay, n), k));
+    if (k < replay.path.pivots.size())
+      all.back()["in_113_bits"] = json_object(columns_of(replay, n, by_rule), k);
   }
   return all;
 }
@@ -260,24 +254,22 @@ std::string sentence(const Replay& replay, Index n) {
 std::string text(const Replay& replay, const std::string& title, Index n) {
   const Judgement& judgement = replay.judgement;
   std::string out = fmt::format("{}: {}\n", title, to_string(judgement.verdict));
-  if (!replay.message.empty()) out += folded(replay.message);
-  out += folded(fmt::format(
+  const auto say = [&out](const std::string& words) { out += folded("  " + words, 100, 4); };
+  if (!replay.message.empty()) say(replay.message);
+  say(fmt::format(
       "claimed {}, residual {:.2e}; {}", to_string(replay.claim), judgement.accuracy.residual,
       replay.basis_residual
           ? fmt::format("its basis solved in 113 bits: residual {:.2e}", *replay.basis_residual)
           : "no basis that is regular to 113 bits"));
   if (replay.islands > 1)
-    out += folded(fmt::format("island {} of {} ({} rows) is shown", replay.island + 1,
-                              replay.islands, replay.rows.size()));
-  out += folded(comparison(replay));
-  if (replay.comparison != Beside::none) out += folded(sentence(replay, n));
-  const std::string none = of_the_first_none(replay, n);
-  if (!none.empty()) out += folded(none);
+    say(fmt::format("island {} of {} ({} rows) is shown", replay.island + 1, replay.islands,
+                    replay.rows.size()));
+  say(comparison(replay));
+  if (replay.comparison != Beside::none) say(sentence(replay, n));
+  if (replay.first_none && replay.first_none->pivot != replay.departure->pivot)
+    say("first pivot that is none: " + of_one_pivot(replay, *replay.first_none, n));
   if (replay.steps.empty() && replay.path.pivots.empty()) return out;
-  out += header(replay);
-  for (std::size_t k = replay.begin; k < shown_end(replay); ++k)
-    out += left_part(replay, k, n) + right_part(replay, k, n) + "\n";
-  return out + left_out(replay);
+  return out + pivots_text(replay, n);
 }
 
 Json json(const Replay& replay, Index n) {

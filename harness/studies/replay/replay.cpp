@@ -62,65 +62,45 @@ std::optional<Start> start_in(const std::optional<Start>& start, const std::vect
 }
 
 /// What 113 bits say of the row that the run took instead of the rule's.
-Departure examine(const Problem& problem, const PathRule& rule, const std::vector<Index>& alpha,
-                  const Labels& labels, const PivotEvent& taken, const HighPivot* by_rule,
-                  double zero) {
+void examine(const Problem& problem, const PathRule& rule, const std::vector<Index>& alpha,
+             const Labels& labels, const PivotEvent& taken, bool rule_ended, double zero,
+             Departure& departure) {
   using Why = Departure::Why;
-  Departure departure{.why = Why::lost_tie,
-                      .pivot = 0,
-                      .entering = taken.entering,
-                      .row = taken.row,
-                      .size = {},
-                      .ratio = {},
-                      .rule = {}};
-  if (by_rule) {
-    departure.rule = by_rule->choice;
-    departure.rule_leaves = by_rule->leaving;
-  }
   const HighProblem high(problem, rule.scale, alpha);
   const HighDictionary dictionary(high, labels, zero);
-  departure.size = dictionary.column(taken.entering)[taken.row];
-  if (departure.size.value == 0) {
-    departure.why = Why::zero_pivot;
-    return departure;
-  }
-  departure.ratio = ratio_of(dictionary.q()[taken.row], departure.size);
-  const bool step0 = taken.entering == labels.z0();
-  if (!step0 && !surely_less(departure.size, {-static_cast<Quad>(rule.pivot), 0}, zero)) {
-    departure.why = Why::no_pivot;
-  } else if (!by_rule) {
+  const Estimates m = dictionary.column(taken.entering);
+  departure.row = taken.row;
+  if (const auto fault = fault_of_pivot(dictionary, m, taken, rule.pivot, zero, departure)) {
+    departure.why = *fault;
+  } else if (rule_ended) {
     departure.why = Why::went_on;
   } else {
-    Estimate threshold = by_rule->choice.ratio;
+    const bool step0 = taken.entering == labels.z0();
+    Estimate threshold = departure.rule.ratio;
     threshold.value += step0 ? -rule.delta : rule.delta;
     const bool later = step0 ? surely_less(departure.ratio, threshold, zero)
                              : surely_less(threshold, departure.ratio, zero);
-    if (later) departure.why = Why::larger_ratio;
+    departure.why = later ? Why::larger_ratio : Why::lost_tie;
   }
-  return departure;
 }
 
 std::optional<Departure> first_departure(const Problem& problem, const PathRule& rule,
                                          const IslandRun& run, const HighPath& path, double zero) {
   const std::size_t both = std::min(run.steps.size(), path.pivots.size());
+  Labels labels(problem.size(), run.alpha);
   std::size_t k = 0;
-  while (k < both && run.steps[k].event.row == path.pivots[k].choice.row) ++k;
+  for (; k < both && run.steps[k].event.row == path.pivots[k].choice.row; ++k)
+    labels.exchange({run.steps[k].event.row, run.steps[k].event.entering});
   const bool run_ended = k == run.steps.size(), rule_ended = k == path.pivots.size();
-  if ((run_ended && rule_ended) || (rule_ended && path.cut_short)) return std::nullopt;
-  Departure departure{
-      .why = Departure::Why::ended, .pivot = 0, .entering = 0, .size = {}, .ratio = {}, .rule = {}};
-  const HighPivot* by_rule = rule_ended ? nullptr : &path.pivots[k];
-  if (run_ended) {
-    departure.entering = by_rule->entering;
-    departure.rule = by_rule->choice;
-    departure.rule_leaves = by_rule->leaving;
-  } else {
-    Labels labels(problem.size(), run.alpha);
-    for (std::size_t j = 0; j < k; ++j)
-      labels.exchange({run.steps[j].event.row, run.steps[j].event.entering});
-    departure = examine(problem, rule, run.alpha, labels, run.steps[k].event, by_rule, zero);
+  if (rule_ended && (run_ended || path.cut_short)) return std::nullopt;
+  Departure departure{.pivot = static_cast<Index>(k) + 1};
+  departure.entering = run_ended ? path.pivots[k].entering : run.steps[k].event.entering;
+  if (!rule_ended) {
+    departure.rule = path.pivots[k].choice;
+    departure.rule_leaves = path.pivots[k].leaving;
   }
-  departure.pivot = static_cast<Index>(k) + 1;
+  if (!run_ended)
+    examine(problem, rule, run.alpha, labels, run.steps[k].event, rule_ended, zero, departure);
   return departure;
 }
 
@@ -129,10 +109,8 @@ std::optional<Departure> first_none(const Problem& problem, const PathRule& rule
                                     const IslandRun& run, const HighLimits& limits) {
   const SearchRule any_feasibility{
       .epsilon = std::numeric_limits<double>::infinity(), .pivot = rule.pivot, .scale = rule.scale};
-  const std::vector<Labels> before = labels_before(run.steps, problem.size(), run.alpha,
-                                                   static_cast<std::size_t>(limits.most_pivots));
   std::size_t checked = 0;
-  return check_search(problem, any_feasibility, run.alpha, run.steps, before, limits, checked);
+  return check_search(problem, any_feasibility, run.alpha, run.steps, limits, checked);
 }
 
 void compare(const NamedSolver& solver, const Problem& problem, const IslandRun& run,
@@ -150,10 +128,8 @@ void compare(const NamedSolver& solver, const Problem& problem, const IslandRun&
       replay.path_verdict = Verdict::wrong;
   } else if (const std::optional<SearchRule> search = search_rule(solver)) {
     replay.comparison = Beside::search;
-    const std::vector<Labels> before = labels_before(
-        run.steps, problem.size(), run.alpha, static_cast<std::size_t>(options.high.most_pivots));
     replay.departure =
-        check_search(problem, *search, run.alpha, run.steps, before, options.high, replay.checked);
+        check_search(problem, *search, run.alpha, run.steps, options.high, replay.checked);
   }
 }
 

@@ -25,14 +25,15 @@ struct Departure {
     singular_basis,  ///< Of a search: the basis pivoted on is singular to 113 bits.
     ended,           ///< The run ends here, where the rule goes on.
     went_on,         ///< The rule ends here, where the run goes on.
-  } why;
-  Index pivot;                ///< Number of the pivot, from 1.
-  Variable entering;          ///< The driving variable.
-  Index row = -1;             ///< Taken by the run; -1 where it ended.
-  Estimate size, ratio;       ///< m' and -q'/m' of that row in 113 bits; no ratio where m' is 0.
+  } why = Why::ended;
+  Index pivot = 0;        ///< Number of the pivot, from 1.
+  Variable entering = 0;  ///< The driving variable.
+  Index row = -1;         ///< Taken by the run; -1 where it ended.
+  Estimate size = {},
+           ratio = {};        ///< m' and -q'/m' of that row in 113 bits; no ratio where m' is 0.
   Quad q_min = 0;             ///< Of a search: min q' after the pivot in 113 bits.
   Variable rule_leaves = -1;  ///< What leaves by the rule; -1: nothing, or a search.
-  HighChoice rule;            ///< Of a path: the rule's own choice.
+  HighChoice rule = {};       ///< Of a path: the rule's own choice.
 };
 
 struct ReplayOptions {

@@ -24,30 +24,18 @@ std::optional<Departure> check_pivot(const HighProblem& high, const SearchRule& 
                                      const PivotEvent& event, const Labels& labels, double zero) {
   using Why = Departure::Why;
   const HighDictionary dictionary(high, labels, zero);
-  Departure departure{.why = Why::singular_basis,
-                      .pivot = 0,
-                      .entering = event.entering,
-                      .row = event.row,
-                      .size = {},
-                      .ratio = {},
-                      .rule = {}};
+  Departure departure{.why = Why::singular_basis, .entering = event.entering, .row = event.row};
   if (!dictionary.usable()) return departure;
   const Estimates m = dictionary.column(event.entering);
-  departure.size = m[event.row];
-  departure.why = Why::zero_pivot;
-  if (departure.size.doubt > rule.pivot) return std::nullopt;  // 113 bits do not tell
-  if (departure.size.value == 0) return departure;
-  departure.ratio = ratio_of(dictionary.q()[event.row], departure.size);
-  departure.why = Why::no_pivot;
-  const bool step0 = event.entering == labels.z0();
-  const bool blocks = step0
-                          ? departure.size.value > 0
-                          : surely_less(departure.size, {-static_cast<Quad>(rule.pivot), 0}, zero);
-  if (!blocks) return departure;
+  if (m[event.row].doubt > rule.pivot) return std::nullopt;  // 113 bits do not tell
+  if (const auto fault = fault_of_pivot(dictionary, m, event, rule.pivot, zero, departure)) {
+    departure.why = *fault;
+    return departure;
+  }
   const Estimate least = least_after(dictionary.q(), m, event.row, departure.ratio);
   departure.why = Why::infeasible;
   departure.q_min = least.value;
-  if (surely_less(least, {-static_cast<Quad>(rule.epsilon), 0}, zero)) return departure;
+  if (may_be_pivot(least, rule.epsilon, zero)) return departure;
   return std::nullopt;
 }
 
@@ -57,39 +45,39 @@ std::optional<SearchRule> search_rule(const NamedSolver& solver) {
   static const std::vector<std::string> rows = {"best-first", "best-first-lexicographic",
                                                 "best-first-tableau", "best-first-uniform"};
   if (std::find(rows.begin(), rows.end(), solver.info.name) == rows.end()) return std::nullopt;
-  std::map<std::string, std::string> set;
-  for (const Option& option : solver.solver->options()) set[option.name] = option.get();
+  const std::map<std::string, std::string> set = settings_of(solver);
   return SearchRule{.epsilon = std::stod(set.at("epsilon")),
                     .pivot = std::stod(set.at("pivot")),
                     .scale = set.at("scale") == "on"};
 }
 
-std::vector<Labels> labels_before(const std::vector<Trace::Step>& steps, Index n,
-                                  const std::vector<Index>& alpha, std::size_t most) {
-  const Labels first(n, alpha);
-  std::vector<Labels> before;
-  std::map<Index, Labels> after;  // by number; attempts of a search count anew
-  for (std::size_t k = 0; k < std::min(most, steps.size()); ++k) {
-    const PivotEvent& event = steps[k].event;
-    before.push_back(event.parent == 0 ? first : after.at(event.parent));
-    Labels labels = before.back();
-    labels.exchange({event.row, event.entering});
-    after.insert_or_assign(event.node, std::move(labels));
-  }
-  return before;
+std::optional<Departure::Why> fault_of_pivot(const HighDictionary& dictionary, const Estimates& m,
+                                             const PivotEvent& event, double pivot, double zero,
+                                             Departure& departure) {
+  departure.size = m[event.row];
+  if (departure.size.value == 0) return Departure::Why::zero_pivot;
+  departure.ratio = ratio_of(dictionary.q()[event.row], departure.size);
+  const bool blocks = event.entering == dictionary.labels().z0()
+                          ? departure.size.value > 0
+                          : may_be_pivot(departure.size, pivot, zero);
+  return blocks ? std::nullopt : std::optional(Departure::Why::no_pivot);
 }
 
 std::optional<Departure> check_search(const Problem& problem, const SearchRule& rule,
                                       const std::vector<Index>& alpha,
                                       const std::vector<Trace::Step>& steps,
-                                      const std::vector<Labels>& before, const HighLimits& limits,
-                                      std::size_t& checked) {
+                                      const HighLimits& limits, std::size_t& checked) {
   const HighProblem high(problem, rule.scale, alpha);
-  for (checked = 0; checked < before.size(); ++checked) {
+  const std::size_t most = static_cast<std::size_t>(limits.most_pivots);
+  std::map<Index, Labels> after;  // by number; attempts of a search count anew
+  for (checked = 0; checked < std::min(most, steps.size()); ++checked) {
     if (limits.interrupted != nullptr && *limits.interrupted) break;
     limits.progress(static_cast<Index>(checked));
-    std::optional<Departure> departure =
-        check_pivot(high, rule, steps[checked].event, before[checked], limits.zero);
+    const PivotEvent& event = steps[checked].event;
+    Labels labels = event.parent == 0 ? Labels(problem.size(), alpha) : after.at(event.parent);
+    std::optional<Departure> departure = check_pivot(high, rule, event, labels, limits.zero);
+    labels.exchange({event.row, event.entering});
+    after.insert_or_assign(event.node, std::move(labels));
     if (!departure) continue;
     departure->pivot = static_cast<Index>(++checked);
     return departure;

@@ -15,18 +15,20 @@ struct SearchRule {
 /// The rule of a row that searches, with the options it is set to; empty for other rows.
 std::optional<SearchRule> search_rule(const NamedSolver& solver);
 
-/// Labels before each of the first `most` pivots of a search (and before those of a path): those of its
-/// parent after its own pivot. `alpha` is the starting basis.
-std::vector<Labels> labels_before(const std::vector<Trace::Step>& steps, Index n,
-                                  const std::vector<Index>& alpha, std::size_t most);
+/// Whether a pivot is one by itself, whatever the rule: `size` and `ratio` of it are filled in, and the
+/// answer is zero_pivot or no_pivot where its m'_s is 0 or not below minus `pivot` (of z0: not above 0).
+/// `m` is the column of the driving variable.
+std::optional<Departure::Why> fault_of_pivot(const HighDictionary& dictionary, const Estimates& m,
+                                             const PivotEvent& event, double pivot, double zero,
+                                             Departure& departure);
 
-/// The first of these pivots that the rule does not allow in 113 bits, each from the basis that the
-/// search stood at. Whether an allowed one was the best choice is not asked. `checked` is how many were
-/// looked at.
+/// The first of the run's pivots that the rule does not allow in 113 bits, each from the basis that the
+/// search stood at: of its parent after the parent's own pivot, of the first that of `alpha`. Looks at
+/// no more than HighLimits::most_pivots; `checked` is how many they were. Whether an allowed one was
+/// the best choice is not asked.
 std::optional<Departure> check_search(const Problem& problem, const SearchRule& rule,
                                       const std::vector<Index>& alpha,
                                       const std::vector<Trace::Step>& steps,
-                                      const std::vector<Labels>& before, const HighLimits& limits,
-                                      std::size_t& checked);
+                                      const HighLimits& limits, std::size_t& checked);
 
 }  // namespace lcp

@@ -13,12 +13,6 @@ namespace lcp {
 
 namespace {
 
-std::vector<Index> all_below(Index count) {
-  std::vector<Index> all(count);
-  std::iota(all.begin(), all.end(), Index{0});
-  return all;
-}
-
 Index contacts_of(const Problem& problem) {
   return problem.friction ? problem.friction->contacts() : 0;
 }
@@ -27,12 +21,22 @@ Index directions_of(const Problem& problem) {
   return problem.friction ? problem.friction->directions_per_contact : 0;
 }
 
+/// Leaves of `count` parts of a problem as few as `keep` can make do with.
+void take_parts(Problem& problem, Trials& trials, Index count,
+                Problem (*keep)(const Problem&, const std::vector<Index>&)) {
+  std::vector<Index> all(count);
+  std::iota(all.begin(), all.end(), Index{0});
+  const std::vector<Index> left =
+      ddmin(all, [&](const std::vector<Index>& kept) { return trials.keeps(keep(problem, kept)); });
+  if (left.size() < all.size()) problem = keep(problem, left);
+}
+
 void take_contacts(Problem& problem, Trials& trials) {
-  const std::vector<Index> left = ddmin(all_below(contacts_of(problem)), [&](const auto& kept) {
-    return trials.keeps(keep_contacts(problem, kept));
-  });
-  if (static_cast<Index>(left.size()) < contacts_of(problem))
-    problem = keep_contacts(problem, left);
+  take_parts(problem, trials, contacts_of(problem), keep_contacts);
+}
+
+void take_rows(Problem& problem, Trials& trials) {
+  take_parts(problem, trials, problem.size(), keep_rows);
 }
 
 void take_directions(Problem& problem, Trials& trials) {
@@ -41,13 +45,6 @@ void take_directions(Problem& problem, Trials& trials) {
     if (!trials.keeps(half)) return;
     problem = std::move(half);
   }
-}
-
-void take_rows(Problem& problem, Trials& trials) {
-  const std::vector<Index> left = ddmin(all_below(problem.size()), [&](const auto& kept) {
-    return trials.keeps(keep_rows(problem, kept));
-  });
-  if (static_cast<Index>(left.size()) < problem.size()) problem = keep_rows(problem, left);
 }
 
 /// The fewest digits, tried from 1 up: fewer may do where more do not.

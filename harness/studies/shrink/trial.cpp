@@ -59,11 +59,8 @@ Trial Trials::run(const NamedSolver& solver, const Problem& problem) {
   Instance instance;
   instance.problem = problem;
   const Judgement judgement = judge(instance, outcome->result, invariant_.tolerance);
-  trial.verdict = judgement.verdict;
-  trial.unclaimed = judgement.unclaimed;
-  trial.residual = judgement.accuracy.residual;
-  trial.pivots = outcome->result.work.pivots;
-  return trial;
+  return {judgement.verdict, judgement.unclaimed, trial.trivial, judgement.accuracy.residual,
+          outcome->result.work.pivots};
 }
 
 bool is_failure(const Trial& trial) {

@@ -5,8 +5,7 @@
 #include <algorithm>
 #include <stdexcept>
 
-#include "harness/studies/frontier/frontier_chart.h"
-#include "harness/studies/frontier/frontier_render.h"
+#include "harness/studies/frontier/frontier_pages.h"
 #include "tests/harness/runs/small_plan.h"
 #include "tests/harness/temporary_directory.h"
 
@@ -197,11 +196,15 @@ TEST_F(FrontierRun, IsToldInTextCsvAndJson) {
 
 TEST_F(FrontierRun, IsDrawnWithAPanelPerSolverAndANoteWhereThereIsNoLine) {
   const Frontier& found = exact_frontier();
-  const GnuplotPage page = frontier_page(found);
-  EXPECT_NE(page.commands.find("set title 'liar'"), std::string::npos);
-  EXPECT_NE(page.commands.find("no line: below 1/2 in every column"), std::string::npos);
-  EXPECT_NE(page.commands.find("line in every column"), std::string::npos);
-  EXPECT_NO_THROW(draw_frontier(found, at("frontier.svg")));
+  const Figure figure = frontier_figure(found);
+  const auto note_of = [&](const std::string& solver) {
+    for (const Panel& panel : figure.panels)
+      if (panel.title == solver) return panel.series.back().marks.at(0).text;
+    return std::string("no panel");
+  };
+  EXPECT_EQ(note_of("liar"), "no line: below 1/2 in every column");
+  EXPECT_EQ(note_of("lemke:max_pivots=3"), "line in every column");
+  EXPECT_NO_THROW(draw_figure(at("frontier.svg"), figure));
   EXPECT_NE(read_text(at("frontier.svg")).find("</svg>"), std::string::npos);
 }
 

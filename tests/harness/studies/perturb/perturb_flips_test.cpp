@@ -4,7 +4,7 @@
 
 #include <sstream>
 
-#include "harness/studies/perturb/perturb_render.h"
+#include "harness/studies/perturb/perturb_pages.h"
 #include "problems/registry.h"
 #include "tests/harness/made_up_records.h"
 #include "tests/harness/present/scenes/xml.h"
@@ -181,7 +181,7 @@ Flips small_flips() {
 
 TEST(FlipRendering, SaysTheSameInEveryFormat) {
   const Flips flips = small_flips();
-  const nlohmann::json json = nlohmann::json::parse(render(flips, FlipFormat::json));
+  const nlohmann::json json = flips_json(flips);
   ASSERT_EQ(json.at("rows").size(), 3u);
   EXPECT_EQ(json.at("rows")[1].at("flips"), 1);
   EXPECT_EQ(json.at("rows")[1].at("flip_rate"), 0.5);
@@ -189,7 +189,7 @@ TEST(FlipRendering, SaysTheSameInEveryFormat) {
   EXPECT_EQ(json.at("not_applicable")[0].at("reason"), "no contact has friction");
   EXPECT_EQ(json.at("options").get<PerturbOptions>(), flips.options);
 
-  std::istringstream csv(render(flips, FlipFormat::csv));
+  std::istringstream csv(flips_csv(flips));
   std::string head, baseline, noisy;
   std::getline(csv, head);
   std::getline(csv, baseline);
@@ -199,7 +199,7 @@ TEST(FlipRendering, SaysTheSameInEveryFormat) {
   EXPECT_EQ(std::count(head.begin(), head.end(), ',') + 1,
             std::count(noisy.begin(), noisy.end(), ','));
 
-  const std::string text = render(flips, FlipFormat::text);
+  const std::string text = flips_text(flips);
   EXPECT_NE(text.find("rotation unsupported for 1 instance: no contact has friction"),
             std::string::npos)
       << text;
@@ -207,11 +207,11 @@ TEST(FlipRendering, SaysTheSameInEveryFormat) {
 
 TEST(FlipChart, IsDrawn) {
   const TemporaryDirectory directory;
-  draw_flips(small_flips(), directory.file("flips.svg"));
+  draw_figure(directory.file("flips.svg"), flips_figure(small_flips()));
   const std::string svg = read_text(directory.file("flips.svg"));
   EXPECT_EQ(complaint_about_xml(svg), "");
   EXPECT_NE(svg.find("last-bit noise"), std::string::npos);
-  EXPECT_THROW(draw_flips(Flips{}, directory.file("none.svg")), std::invalid_argument);
+  EXPECT_THROW(flips_figure(Flips{}), std::invalid_argument);
 }
 
 }  // namespace

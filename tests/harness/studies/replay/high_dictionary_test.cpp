@@ -28,7 +28,7 @@ TEST(QuadMatrix, InvertsAHilbertMatrixToTwentyFourDigits) {
 }
 
 TEST(QuadMatrix, ExchangesRowsWhereAPivotIsZero) {
-  QuadMatrix swap(2, 2);
+  QuadMatrix swap = QuadMatrix::Zero(2, 2);
   swap(0, 1) = 2;
   swap(1, 0) = 4;
   ASSERT_TRUE(invert(swap));

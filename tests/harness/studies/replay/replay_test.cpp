@@ -129,11 +129,9 @@ TEST(Replay, FindsThePivotThatASearchMayNotTake) {
   const Problem problem = rounded_zero().problem;
   // The pivots of `lemke`, as if a search had taken them.
   const std::vector<Trace::Step> steps = replay_of(rounded_zero(), "lemke").steps;
-  const std::vector<Labels> before = labels_before(steps, 3, {}, steps.size());
   std::size_t checked = 0;
-  const std::optional<Departure> departure =
-      check_search(problem, {.epsilon = 1e-9, .pivot = 0, .scale = false}, {}, steps, before,
-                   HighLimits(), checked);
+  const std::optional<Departure> departure = check_search(
+      problem, {.epsilon = 1e-9, .pivot = 0, .scale = false}, {}, steps, HighLimits(), checked);
   ASSERT_TRUE(departure);
   EXPECT_EQ(departure->why, Why::zero_pivot);
   EXPECT_EQ(departure->pivot, 3);
@@ -149,9 +147,8 @@ TEST(Replay, ASearchMayNotMakeAValueNegative) {
   step0.entering = 4;
   const std::vector<Trace::Step> steps = {{step0, {}}};
   std::size_t checked = 0;
-  const std::optional<Departure> departure =
-      check_search(problem, {.epsilon = 1e-9, .pivot = 0, .scale = false}, {}, steps,
-                   labels_before(steps, 2, {}, 1), HighLimits(), checked);
+  const std::optional<Departure> departure = check_search(
+      problem, {.epsilon = 1e-9, .pivot = 0, .scale = false}, {}, steps, HighLimits(), checked);
   ASSERT_TRUE(departure);
   EXPECT_EQ(departure->why, Why::infeasible);
   EXPECT_EQ(static_cast<double>(departure->q_min), -1);

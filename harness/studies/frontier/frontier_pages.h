@@ -3,6 +3,7 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
+#include "harness/present/figure.h"
 #include "harness/studies/frontier/frontier.h"
 
 namespace lcp {
@@ -23,7 +24,8 @@ std::string frontier_csv(const FrontierReport& report);
 /// Everything; infinite ends of bands and missing lines are null.
 nlohmann::json frontier_json(const FrontierReport& report);
 
-/// `crossing`, `above`, ...
-std::string to_string(ShareLine::Kind kind);
+/// A panel per solver: the share solved in every cell as colour and number, the 50 % line with its
+/// band, and in words how many columns have none.
+Figure frontier_figure(const Frontier& frontier);
 
 }  // namespace lcp
