@@ -171,7 +171,7 @@ std::string folded(const std::string& text, std::size_t width, std::size_t hangi
   std::string out, rest = text;
   while (letters(rest) > width) {
     std::size_t end = rest.rfind(' ', width);
-    if (end == std::string::npos || rest.find_first_not_of(' ') > end || end <= hanging) {
+    if (end == std::string::npos || rest.find_first_not_of(' ') > end) {
       end = rest.find(' ', width);
       if (end == std::string::npos) break;
     }

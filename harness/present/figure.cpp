@@ -62,8 +62,13 @@ std::vector<Tick> round_ticks(double low, double high, std::size_t most, Axis::S
     if (at >= low && at <= high) ticks.push_back({at, fmt::format("{:g}", at)});
   };
   if (scale == Axis::Scale::log) {
-    for (double decade = std::floor(std::log10(low)); decade <= std::log10(high); ++decade)
-      for (const int mantissa : {1, 2, 5}) add(mantissa * std::pow(10, decade));
+    const auto decades = static_cast<int>(std::ceil(std::log10(high / low))) + 1;
+    std::vector<int> mantissas = {1, 2, 5};
+    if (3 * decades > static_cast<int>(most) + 2) mantissas = {1};
+    const double step = std::ceil(decades / std::max(1.0, static_cast<double>(most)));
+    for (double decade = std::floor(std::log10(low)); decade <= std::log10(high);
+         decade += mantissas.size() > 1 ? 1 : step)
+      for (const int mantissa : mantissas) add(mantissa * std::pow(10, decade));
     return ticks;
   }
   const double power =

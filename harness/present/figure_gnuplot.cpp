@@ -126,15 +126,17 @@ std::string axis_commands(const char* name, const Axis& axis, double length) {
     ticks = "autofreq format '%g'";
   }
   return fmt::format(
-      "{log} logscale {0}\nset {0}range [{low:.7g}:{high:.7g}]\nset {0}tics nomirror {ticks} "
-      "{enhanced} font ',11'\n{grid}set {0}label {label} noenhanced\n",
+      "{log} logscale {0}\nset {0}range [{low:.7g}:{high:.7g}]\nset {0}tics out scale 0.5 nomirror "
+      "{ticks} "
+      "{enhanced} font ',11'\n{grid}set {0}label {label} noenhanced{offset}\n",
       name, fmt::arg("log", log ? "set" : "unset"), fmt::arg("low", axis.low),
       fmt::arg("high", axis.high), fmt::arg("ticks", ticks),
       fmt::arg("enhanced", axis.ticks.empty() ? "" : "noenhanced"),
       fmt::arg("grid", axis.grid
                            ? fmt::format("set grid {}tics lc rgb '#e6e6e6' lt 1 lw 0.8\n", name)
                            : std::string()),
-      fmt::arg("label", quoted(axis.label)));
+      fmt::arg("label", quoted(axis.label)),
+      fmt::arg("offset", *name == 'y' ? " offset 1.5,0" : ""));
 }
 
 std::string panel_commands(const Panel& panel, GnuplotData& data) {
