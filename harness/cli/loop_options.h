@@ -22,4 +22,7 @@ struct LoopOptions {
 
 void add_loop_options(CLI::App& page, LoopOptions& options);
 
+/// A duration in s; empty where the text is. Throws as parse_duration.
+std::optional<double> parse_seconds(const std::string& text, const char* option);
+
 }  // namespace lcp::cli

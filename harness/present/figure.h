@@ -96,7 +96,7 @@ struct LegendEntry {
 };
 
 struct Figure {
-  std::string title;
+  std::string title = {};
   std::string caption = {};           ///< Below; broken into lines.
   double width = 1000, height = 600;  ///< Pixels, without the lines of the caption.
   std::vector<Panel> panels = {};

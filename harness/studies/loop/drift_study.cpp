@@ -1,9 +1,11 @@
-#include "harness/studies/loop/tracked_runs.h"
+#include "harness/studies/loop/drift_study.h"
+
+#include <fmt/format.h>
 
 #include <cerrno>
-#include <cmath>
 #include <cstdio>
 #include <memory>
+#include <stdexcept>
 #include <system_error>
 
 #include "harness/measure/children.h"
@@ -35,54 +37,58 @@ class Mailbox {
   std::unique_ptr<std::FILE, int (*)(std::FILE*)> file_;
 };
 
-std::size_t steps_to_make(const NamedScene& scene) {
-  return static_cast<std::size_t>(std::lround(scene.setup.duration / scene.setup.stepping.dt));
-}
-
 }  // namespace
 
-std::optional<std::vector<Track>> run_tracks(const std::vector<TrackedTask>& tasks,
-                                             const Acceptance& acceptance,
-                                             std::chrono::nanoseconds silence,
-                                             const std::function<void(const Progress&)>& progress,
-                                             const std::atomic<bool>& interrupted) {
+TrackedTask disturbed(TrackedTask task, double size) {
+  disturb_start(task.scene, size);
+  return task;
+}
+
+std::vector<DriftLine> DriftStudy::simulate(const std::vector<TrackedTask>& tasks) {
   const std::atomic<bool> never = false;
-  std::vector<Mailbox> boxes(tasks.size());
-  std::vector<std::size_t> beats(tasks.size(), 0);
+  const std::vector<Mailbox> boxes(tasks.size());
+  std::vector<std::size_t> to_come;
   std::vector<ChildTask> work;
+  std::vector<DriftLine> lines;
   Progress state;
-  for (std::size_t i = 0; i < tasks.size(); ++i) {
-    state.total += steps_to_make(tasks[i].scene);
-    work.push_back([&, i](const std::function<void()>& beat) {
-      const TrackedTask& task = tasks[i];
-      boxes[i].put(
+  for (const TrackedTask& task : tasks) {
+    to_come.push_back(static_cast<std::size_t>(steps_to_make(task.scene)));
+    state.total += to_come.back();
+    lines.push_back({task.name, task.control});
+    work.push_back([&, &box = boxes[work.size()]](const std::function<void()>& beat) {
+      box.put(
           run_tracked(task.scene, make_solver(task.solver), acceptance, beat, never, task.limit));
     });
   }
-  std::vector<Track> tracks(tasks.size());
   run_children(
       work, 1, silence,
       [&](const ChildEnd& end) {
-        state.done += steps_to_make(tasks[end.task].scene) - beats[end.task];
-        Track& track = tracks[end.task];
+        state.done += to_come[end.task];
+        Track& track = lines[end.task].track;
         if (end.failure.empty()) {
           track = boxes[end.task].take();
           return;
         }
-        track.scene = tasks[end.task].scene.spelling;
-        track.solver = tasks[end.task].solver;
-        track.dt = tasks[end.task].scene.setup.stepping.dt;
+        const TrackedTask& task = tasks[end.task];
+        track.scene = task.scene.spelling;
+        track.solver = task.solver;
+        track.dt = task.scene.setup.stepping.dt;
         track.broken = end.failure;
       },
       [&](std::size_t task) {
-        ++beats[task];
+        --to_come[task];
         ++state.done;
         state.at = tasks[task].name;
         progress(state);
       },
       interrupted);
-  if (interrupted) return std::nullopt;
-  return tracks;
+  if (interrupted) throw Interrupted();
+  if (reference.frames() == 0) reference = lines.front().track;
+  if (reference.frames() == 0)
+    throw std::runtime_error(fmt::format("the reference {} with {} has no frame: {}",
+                                         reference.scene, reference.solver, reference.broken));
+  for (DriftLine& line : lines) line.drifts = drift(line.track, reference, window);
+  return lines;
 }
 
 }  // namespace lcp
