@@ -38,22 +38,21 @@ class Sampling {
  public:
   explicit Sampling(const FrontierPlan& plan) : plan_(plan) {
     for (std::size_t x = 0; x < plan.grid.x.size(); ++x)
-      for (std::size_t y = 0; y < plan.grid.y.size(); ++y)
-        cell_of_[corpus_of(draw_of_cell(plan.grid, x, y, plan.seed, 0).name)] = {x, y};
-    for (std::size_t s = 0; s < plan.limits.solvers.size(); ++s)
-      solver_of_[plan.limits.solvers[s].spelling] = s;
-    samples_.resize(solver_of_.size() * cells());
-    for (Sample& sample : samples_) sample.target = plan.count;
+      for (std::size_t y = 0; y < plan.grid.y.size(); ++y) {
+        const std::string corpus = corpus_of(draw_of_cell(plan.grid, x, y, plan.seed, 0).name);
+        for (const NamedSolver& solver : plan.limits.solvers) {
+          place_of_[{corpus, solver.spelling}] = samples_.size();
+          samples_.push_back({plan.count, {}});
+        }
+      }
   }
 
   void take(const Record& record) {
-    const auto cell = cell_of_.find(corpus_of(record.instance));
-    const auto solver = solver_of_.find(record.solver);
+    const auto place = place_of_.find({corpus_of(record.instance), record.solver});
     const std::optional<Index> draw = draw_number(record.instance);
-    if (cell == cell_of_.end() || solver == solver_of_.end() || !draw)
-      return;  // another question's
-    sample(solver->second, cell->second.x, cell->second.y).outcomes[*draw] = {
-        record.verdict, record.trivial, record.work.pivots};
+    if (place != place_of_.end() && draw)  // else another question's
+      samples_[place->second].outcomes[*draw] = {record.verdict, record.trivial,
+                                                 record.work.pivots};
   }
 
   std::vector<OpenDraws> open() const {
@@ -61,8 +60,8 @@ class Sampling {
     for (std::size_t x = 0; x < plan_.grid.x.size(); ++x)
       for (std::size_t y = 0; y < plan_.grid.y.size(); ++y) {
         OpenDraws open{x, y, {}};
-        for (std::size_t s = 0; s < solver_of_.size(); ++s) {
-          const Sample& here = sample(s, x, y);
+        for (std::size_t s = 0; s < solvers(); ++s) {
+          const Sample& here = samples_[place(s, x, y)];
           for (Index draw = 0; draw < here.target; ++draw)
             if (!here.outcomes.contains(draw)) open.solvers[draw].push_back(s);
         }
@@ -74,13 +73,13 @@ class Sampling {
   /// Asks for more draws where they would help; false if nowhere.
   bool raise() {
     bool raised = false;
-    for (std::size_t s = 0; s < solver_of_.size(); ++s)
+    for (std::size_t s = 0; s < solvers(); ++s)
       for (std::size_t x = 0; x < plan_.grid.x.size(); ++x) {
         const FrontierColumn found = column(s, x);
         const std::vector<bool> wanted =
             more_wanted(found.line, share_points(plan_.grid.y, found), plan_.width());
         for (std::size_t y = 0; y < wanted.size(); ++y) {
-          Sample& here = sample(s, x, y);
+          Sample& here = samples_[place(s, x, y)];
           if (!wanted[y] || here.target >= plan_.max_count) continue;
           here.target = std::min(here.target + plan_.count, plan_.max_count);
           raised = true;
@@ -91,7 +90,7 @@ class Sampling {
 
   Frontier frontier() const {
     Frontier all{plan_, {}};
-    for (std::size_t s = 0; s < solver_of_.size(); ++s) {
+    for (std::size_t s = 0; s < solvers(); ++s) {
       FrontierRow row{plan_.limits.solvers[s].spelling, {}};
       for (std::size_t x = 0; x < plan_.grid.x.size(); ++x) row.columns.push_back(column(s, x));
       all.rows.push_back(std::move(row));
@@ -100,21 +99,14 @@ class Sampling {
   }
 
  private:
-  struct Cell {
-    std::size_t x, y;
-  };
   struct Sample {
     Index target = 0;  ///< Draws wanted.
     std::map<Index, DrawOutcome> outcomes;
   };
 
-  std::size_t cells() const { return plan_.grid.x.size() * plan_.grid.y.size(); }
+  std::size_t solvers() const { return plan_.limits.solvers.size(); }
   std::size_t place(std::size_t s, std::size_t x, std::size_t y) const {
-    return (s * plan_.grid.x.size() + x) * plan_.grid.y.size() + y;
-  }
-  Sample& sample(std::size_t s, std::size_t x, std::size_t y) { return samples_[place(s, x, y)]; }
-  const Sample& sample(std::size_t s, std::size_t x, std::size_t y) const {
-    return samples_[place(s, x, y)];
+    return (x * plan_.grid.y.size() + y) * solvers() + s;
   }
 
   /// Counts the draws wanted; those beyond, of an earlier session that asked for more, are left
@@ -140,7 +132,7 @@ class Sampling {
   FrontierColumn column(std::size_t s, std::size_t x) const {
     FrontierColumn found;
     for (std::size_t y = 0; y < plan_.grid.y.size(); ++y)
-      found.cells.push_back(cell(sample(s, x, y)));
+      found.cells.push_back(cell(samples_[place(s, x, y)]));
     const std::vector<SharePoint> points = share_points(plan_.grid.y, found);
     found.line = find_line(points);
     found.settled = settled(found.line, points, plan_.width());
@@ -148,8 +140,8 @@ class Sampling {
   }
 
   const FrontierPlan& plan_;
-  std::map<std::string, Cell> cell_of_;           ///< By corpus.
-  std::map<std::string, std::size_t> solver_of_;  ///< By full spelling.
+  std::map<std::pair<std::string, std::string>, std::size_t>
+      place_of_;  ///< By corpus and spelling.
   std::vector<Sample> samples_;
 };
 
@@ -187,11 +179,6 @@ void check_plan(const FrontierPlan& plan) {
                     plan.max_count, most_draws));
 }
 
-std::vector<Record> stored_rows(const std::filesystem::path& directory) {
-  return std::filesystem::exists(directory / "rows.jsonl") ? read_run(directory)
-                                                           : std::vector<Record>{};
-}
-
 }  // namespace
 
 std::vector<SharePoint> share_points(const KnobAxis& y, const FrontierColumn& column) {
@@ -211,7 +198,8 @@ std::optional<Frontier> run_frontier(const std::filesystem::path& directory,
   OpenRun open = open_run(directory, settings_of(plan.limits, origin_of(plan)), plan.limits.jobs,
                           existing, note);
   write_run_settings(directory, open.settings);
-  for (const Record& record : stored_rows(directory)) sampling.take(record);
+  if (std::filesystem::exists(directory / "rows.jsonl"))
+    for (const Record& record : read_run(directory)) sampling.take(record);
   const auto write_row = open_rows(directory);
   const auto begin = std::chrono::steady_clock::now();
 

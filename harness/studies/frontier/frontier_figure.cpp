@@ -12,8 +12,9 @@ namespace {
 
 constexpr PanelGrid panels_of_solvers{.above = 52, .top = 78};
 constexpr Colour line_colour = 0xd55e00, band_colour = 0xe69f00, white = 0xffffff;
-constexpr double cell_gap = 0.02, band_width = 0.06;  // of a cell's width
-constexpr double dark_share = 0.6;                    // Above it a number is white.
+constexpr double cell_gap = 0.02;     // of a cell's width
+constexpr double band_width = 0.018;  // of the panel's
+constexpr double dark_share = 0.6;    // Above it a number is white.
 
 /// Share 0 and 1: white, and the blue of Okabe and Ito.
 Colour colour_of_share(double share) {
@@ -112,8 +113,9 @@ Panel solver_panel(const FrontierGrid& grid, const FrontierRow& row, const PageA
     line.marks.push_back({.x = x, .y = crosses ? found.u : NAN, .look = {line_colour}});
     if (!crosses) continue;
     places.marks.push_back(line.marks.back());
-    bands.marks.push_back({.x_low = x - band_width / 2 * width,
-                           .x_high = x + band_width / 2 * width,
+    const double reach = band_width / 2 * (panel.x.high - panel.x.low);
+    bands.marks.push_back({.x_low = x - reach,
+                           .x_high = x + reach,
                            .y_low = std::max(found.low, panel.y.low),
                            .y_high = std::min(found.high, panel.y.high),
                            .look = {band_colour}});
