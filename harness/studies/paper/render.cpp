@@ -66,8 +66,7 @@ bool is_small(const Cell& distance) { return !distance.is_null() && distance <= 
 PaperSection hoist_section(const PaperTable& table) {
   PaperSection out{
       "Total computation time (simulation time x frames) of hoist over that of hoist:10ms, and "
-      "mean "
-      "distance of the links of hoist:10ms from those of hoist at the end, in % of the length",
+      "mean distance of the links of hoist:10ms from those of hoist at the end, in % of the length",
       {{{.heading = " "},
         {.heading = "time ratio", .number = "{:.1f}"},
         {.heading = "by its cells", .number = "{:.1f}"},
@@ -148,8 +147,8 @@ std::vector<std::string> notes_of(const PaperTable& table) {
                                 to_string(each.acceptance.criterion), each.acceptance.tolerance));
   notes.push_back(fmt::format(
       "paper: |w - M z - q - z0 c| <= e_max = {} (unscaled, of the solver's own w, which says "
-      "nothing "
-      "of signs); residual, and lines \"at 1e-6\": the natural residual recomputed from z is at "
+      "nothing of signs); residual, and lines \"at 1e-6\": the natural residual recomputed from z "
+      "is at "
       "most {} (scaled).",
       by_paper.tolerance, second_look.tolerance));
   if (plan.solvers.back().limit)
