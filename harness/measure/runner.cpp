@@ -10,7 +10,7 @@
 #include "harness/judge/judge.h"
 #include "harness/measure/worker.h"
 #include "harness/observed_quantile.h"
-#include "solvers/peers/outside_call.h"
+#include "solvers/outside_call.h"
 
 namespace lcp {
 

@@ -18,7 +18,7 @@
 #include <algorithm>
 #include <climits>
 
-#include "solvers/peers/outside_call.h"
+#include "solvers/outside_call.h"
 
 namespace lcp {
 namespace {

@@ -257,7 +257,7 @@ class Plane {
     const auto x = [&](double cost) { return cost_.pixels(cost, chart_width); };
     const auto y = [&](double residual) { return residual_.pixels(residual, height()); };
     std::vector<Pixels> markers;
-    std::vector<Box> bars;
+    std::vector<TagBox> bars;
     for (const Mark& point : points) {
       const Pixels at = {x(point.x), y(point.y)};
       markers.push_back(at);

@@ -49,23 +49,23 @@ TEST(WilsonInterval, IsSymmetricAndTheWholeRangeWithoutDraws) {
 }
 
 TEST(SideOf, IsDecidedWhereTheIntervalLeavesOutAHalf) {
-  EXPECT_EQ(side_of({0, 7, 8}), Side::above);  // from 0.529
-  EXPECT_EQ(side_of({0, 6, 8}), Side::open);   // from 0.409
-  EXPECT_EQ(side_of({0, 2, 8}), Side::open);
-  EXPECT_EQ(side_of({0, 1, 8}), Side::below);
-  EXPECT_EQ(side_of({0, 0, 0}), Side::open);
+  EXPECT_EQ(side_of({0, 7, 8}), ShareSide::above);  // from 0.529
+  EXPECT_EQ(side_of({0, 6, 8}), ShareSide::open);   // from 0.409
+  EXPECT_EQ(side_of({0, 2, 8}), ShareSide::open);
+  EXPECT_EQ(side_of({0, 1, 8}), ShareSide::below);
+  EXPECT_EQ(side_of({0, 0, 0}), ShareSide::open);
 }
 
 TEST(SideOf, IsDecidedExactlyWhereTheIntervalLeavesOutAHalf) {
-  EXPECT_EQ(side_of({0, 6, 7}), Side::open);  // from 0.487
-  EXPECT_EQ(side_of({0, 1, 7}), Side::open);  // to 0.513
+  EXPECT_EQ(side_of({0, 6, 7}), ShareSide::open);  // from 0.487
+  EXPECT_EQ(side_of({0, 1, 7}), ShareSide::open);  // to 0.513
   for (Index n = 1; n <= 60; ++n)
     for (Index k = 0; k <= n; ++k)
       for (const double quantile : {normal_quantile, confirming_quantile}) {
         const Interval interval = wilson_interval(k, n, quantile);
-        const Side side = side_of({0, k, n}, quantile);
-        EXPECT_EQ(side == Side::above, interval.low > 0.5) << k << " of " << n;
-        EXPECT_EQ(side == Side::below, interval.high < 0.5) << k << " of " << n;
+        const ShareSide side = side_of({0, k, n}, quantile);
+        EXPECT_EQ(side == ShareSide::above, interval.low > 0.5) << k << " of " << n;
+        EXPECT_EQ(side == ShareSide::below, interval.high < 0.5) << k << " of " << n;
       }
 }
 
