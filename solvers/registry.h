@@ -101,4 +101,8 @@ struct Absence {
           const std::string& package);
 };
 
+/// Silences calls into the libraries of peers for the rest of the process, which prints nothing of its own any more: for
+/// one that times them.
+void silence_outside_calls();
+
 }  // namespace lcp

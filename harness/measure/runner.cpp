@@ -10,7 +10,6 @@
 #include "harness/judge/judge.h"
 #include "harness/measure/worker.h"
 #include "harness/observed_quantile.h"
-#include "solvers/outside_call.h"
 
 namespace lcp {
 

@@ -18,7 +18,7 @@
 #include <algorithm>
 #include <climits>
 
-#include "solvers/outside_call.h"
+#include "solvers/peers/outside_call.h"
 
 namespace lcp {
 namespace {

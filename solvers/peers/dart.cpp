@@ -26,7 +26,7 @@
 #include <memory>
 #include <vector>
 
-#include "solvers/outside_call.h"
+#include "solvers/peers/outside_call.h"
 
 namespace lcp {
 namespace {

@@ -11,7 +11,7 @@
 
 #include <dart/external/odelcpsolver/lcp.h>
 
-#include "solvers/outside_call.h"
+#include "solvers/peers/outside_call.h"
 
 namespace lcp {
 namespace {

@@ -31,7 +31,7 @@
 #include <cstdlib>
 #include <memory>
 
-#include "solvers/outside_call.h"
+#include "solvers/peers/outside_call.h"
 
 namespace lcp {
 namespace {

@@ -14,7 +14,7 @@
 #include <string>
 #include <vector>
 
-#include "solvers/outside_call.h"
+#include "solvers/peers/outside_call.h"
 #include "solvers/registry.h"
 
 namespace lcp {

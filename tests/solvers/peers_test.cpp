@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cstdlib>
 
-#include "solvers/outside_call.h"
+#include "solvers/peers/outside_call.h"
 #include "tests/solvers/cases.h"
 
 namespace lcp {

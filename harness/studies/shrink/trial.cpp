@@ -8,7 +8,6 @@
 #include "harness/measure/solve.h"
 #include "harness/studies/replay/high_path.h"
 #include "problems/contact/islands.h"
-#include "solvers/outside_call.h"
 
 namespace lcp {
 

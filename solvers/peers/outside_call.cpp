@@ -1,4 +1,4 @@
-#include "solvers/outside_call.h"
+#include "solvers/peers/outside_call.h"
 
 #include <fcntl.h>
 #include <fmt/format.h>

@@ -29,10 +29,6 @@ class OutsideCall {
   OutsideCall& operator=(const OutsideCall&) = delete;
 };
 
-/// Silences outside calls for the rest of the process, which prints nothing of its own any more: for
-/// one that times them.
-void silence_outside_calls();
-
 /// The LCP as ODE's kernel and its kin take it: A x = b + w with 0 <= x, no friction indices. They
 /// destroy A and b.
 struct BoxedForm {
