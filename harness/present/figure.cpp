@@ -15,15 +15,15 @@ namespace lcp {
 namespace {
 
 /// Okabe and Ito's, told apart by colour-blind readers too.
-constexpr std::array<Colour, 7> colours = {0x0072b2, 0xd55e00, 0x009e73, 0xcc79a7,
-                                           0xe69f00, 0x56b4e9, 0x000000};
+constexpr std::array<Colour, 7> palette_colours = {0x0072b2, 0xd55e00, 0x009e73, 0xcc79a7,
+                                                   0xe69f00, 0x56b4e9, 0x000000};
 constexpr int markers = 6, dashes = 5;
 
 }  // namespace
 
 Look look_at(std::size_t k) {
   const int place = static_cast<int>(k);
-  return {colours[k % colours.size()], place % markers, place % dashes};
+  return {palette_colours[k % palette_colours.size()], place % markers, place % dashes};
 }
 
 Look look_of_solver(const std::string& row) {
