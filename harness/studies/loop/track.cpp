@@ -34,12 +34,8 @@ namespace {
 constexpr std::uint64_t kSeed = 1;  // of the disturbance
 
 constexpr auto track_fields = [](auto& track, const auto& field) {
-  field("scene", track.scene);
-  field("solver", track.solver);
-  field("dt", track.dt);
+  loop_header_fields(track, field);
   field("weight", track.weight);
-  field("broken", track.broken);
-  field("stopped", track.stopped);
   field("contact_frames", track.contact_frames);
   field("failed", track.failed);
   field("n", track.n);
@@ -160,12 +156,8 @@ Track run_tracked(const NamedScene& scene, const NamedSolver& solver, const Acce
   take_records(system, run, track);
   track.centres.conservativeResize(Eigen::NoChange, track.frames());
   track.travel.conservativeResize(Eigen::NoChange, track.frames());
-  track.scene = run.scene;
-  track.solver = run.solver;
-  track.dt = run.dt;
+  static_cast<LoopHeader&>(track) = run;
   track.weight = system.model.mass() * system.gravity.norm();
-  track.broken = run.broken;
-  track.stopped = run.stopped;
   return track;
 }
 
