@@ -37,7 +37,7 @@ double at_half(double u0, double v0, double u1, double v1) {
 std::vector<std::size_t> decided_cells(const std::vector<SharePoint>& points) {
   std::vector<std::size_t> cells;
   for (std::size_t i = 0; i < points.size(); ++i)
-    if (side_of(points[i]) != Side::open) cells.push_back(i);
+    if (side_of(points[i]) != ShareSide::open) cells.push_back(i);
   return cells;
 }
 
@@ -102,9 +102,9 @@ double step_at(const std::vector<SharePoint>& points, double u) {
 std::vector<SharePoint> cells_in_question(const std::vector<SharePoint>& points) {
   std::size_t begin = 0, last = points.size() - 1;
   for (std::size_t i = 0; i < points.size(); ++i)
-    if (side_of(points[i]) == Side::above) begin = i;
+    if (side_of(points[i]) == ShareSide::above) begin = i;
   for (std::size_t i = points.size(); i-- > 0;)
-    if (side_of(points[i]) == Side::below) last = i;
+    if (side_of(points[i]) == ShareSide::below) last = i;
   return {points.begin() + static_cast<std::ptrdiff_t>(begin),
           points.begin() + static_cast<std::ptrdiff_t>(last) + 1};
 }
@@ -138,12 +138,13 @@ ShareLine mirrored_back(ShareLine line) {
 }
 
 bool open_cell(const SharePoint& point) {
-  return point.counted > 0 && side_of(point) == Side::open;
+  return point.counted > 0 && side_of(point) == ShareSide::open;
 }
 
 /// Decided, but not at 99.9 %.
 bool unconfirmed(const SharePoint& point) {
-  return side_of(point) != Side::open && side_of(point, confirming_quantile) == Side::open;
+  return side_of(point) != ShareSide::open &&
+         side_of(point, confirming_quantile) == ShareSide::open;
 }
 
 /// Whether more draws of a cell could tell more of the line.
@@ -162,9 +163,11 @@ bool overlap(const ShareLine& a, const ShareLine& b) { return a.low <= b.high &&
 
 }  // namespace
 
-Side side_of(const SharePoint& point, double quantile) {
+ShareSide side_of(const SharePoint& point, double quantile) {
   const Interval interval = wilson_interval(point.solved, point.counted, quantile);
-  return interval.low > half ? Side::above : interval.high < half ? Side::below : Side::open;
+  return interval.low > half    ? ShareSide::above
+         : interval.high < half ? ShareSide::below
+                                : ShareSide::open;
 }
 
 std::vector<double> monotone_fit(const std::vector<SharePoint>& points, bool rising) {
@@ -206,7 +209,7 @@ ShareLine find_line(const std::vector<SharePoint>& all) {
 
   const bool rising = line.crossings.empty() ? squares(points, monotone_fit(points, true)) <
                                                    squares(points, monotone_fit(points, false))
-                                             : side_of(points[decided.front()]) == Side::below;
+                                             : side_of(points[decided.front()]) == ShareSide::below;
   return rising ? mirrored_back(falling_line(mirrored(points))) : falling_line(points);
 }
 
@@ -233,8 +236,8 @@ bool agree(const ShareLine& a, const std::vector<SharePoint>& points_of_a, const
     return a.crossings.size() == b.crossings.size();
   }
   for (std::size_t i = 0; i < points_of_a.size(); ++i) {
-    const Side one = side_of(points_of_a[i]), other = side_of(points_of_b[i]);
-    if (one != other && one != Side::open && other != Side::open) return false;
+    const ShareSide one = side_of(points_of_a[i]), other = side_of(points_of_b[i]);
+    if (one != other && one != ShareSide::open && other != ShareSide::open) return false;
   }
   return true;
 }

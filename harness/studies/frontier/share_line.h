@@ -50,10 +50,10 @@ struct SharePoint {
   Index counted;  ///< n
 };
 
-enum class Side { below, open, above };
+enum class ShareSide { below, open, above };
 
 /// Where a cell's interval lies from 1/2.
-Side side_of(const SharePoint& point, double quantile = normal_quantile);
+ShareSide side_of(const SharePoint& point, double quantile = normal_quantile);
 
 /// The weighted least-squares fit of the shares that never falls (`rising`) or never rises. Points
 /// with nothing counted are not allowed.

@@ -42,11 +42,11 @@ TEST(WilsonInterval, IsSymmetricAndTheWholeRangeWithoutDraws) {
 }
 
 TEST(SideOf, IsDecidedWhereTheIntervalLeavesOutAHalf) {
-  EXPECT_EQ(side_of({0, 7, 8}), Side::above);  // from 0.529
-  EXPECT_EQ(side_of({0, 6, 8}), Side::open);   // from 0.409
-  EXPECT_EQ(side_of({0, 2, 8}), Side::open);
-  EXPECT_EQ(side_of({0, 1, 8}), Side::below);
-  EXPECT_EQ(side_of({0, 0, 0}), Side::open);
+  EXPECT_EQ(side_of({0, 7, 8}), ShareSide::above);  // from 0.529
+  EXPECT_EQ(side_of({0, 6, 8}), ShareSide::open);   // from 0.409
+  EXPECT_EQ(side_of({0, 2, 8}), ShareSide::open);
+  EXPECT_EQ(side_of({0, 1, 8}), ShareSide::below);
+  EXPECT_EQ(side_of({0, 0, 0}), ShareSide::open);
 }
 
 TEST(MonotoneFit, PoolsViolatorsWeightedByTheirDraws) {
