@@ -1,37 +1,13 @@
 #include "harness/studies/shrink/trial.h"
 
-#include <poll.h>
-
 #include <limits>
 #include <utility>
 
-#include "harness/measure/solve.h"
+#include "harness/measure/runner.h"
 #include "harness/studies/replay/high_path.h"
 #include "problems/contact/islands.h"
 
 namespace lcp {
-
-namespace {
-
-constexpr int tick_ms = 10;  // Between looks at the limits and at an interruption.
-
-/// Empty after an interruption.
-std::optional<Outcome> wait_for(Worker& worker, const std::atomic<bool>& interrupted) {
-  worker.ask();
-  while (!interrupted) {
-    if (std::optional<Outcome> outcome = worker.check()) return outcome;
-    std::vector<pollfd> watched = worker.watched();
-    poll(watched.data(), watched.size(), tick_ms);
-  }
-  return std::nullopt;
-}
-
-Verdict verdict_without_answer(const Outcome& outcome) {
-  if (outcome.how == Outcome::How::timed_out) return Verdict::timeout;
-  return outcome.how == Outcome::How::overgrown ? Verdict::memory : Verdict::crash;
-}
-
-}  // namespace
 
 Trials::Trials(Invariant invariant, const Limits& limits, Index max_solves,
                const std::atomic<bool>& interrupted, std::function<void(Index)> progress)
@@ -42,24 +18,26 @@ Trials::Trials(Invariant invariant, const Limits& limits, Index max_solves,
       progress_(std::move(progress)) {}
 
 Trial Trials::run(const NamedSolver& solver, const Problem& problem) {
-  const std::vector<Island> islands = split_islands(problem);
-  Worker worker([&] { return solve_islands(*solver.solver, islands, problem.size()); }, limits_,
-                solver.info.peer() ? std::function<void()>(silence_outside_calls) : [] {});
+  RunPlan plan;
+  plan.instances = {make_instance("candidate", problem, {})};
+  plan.solvers = {solver};
+  plan.tolerance = invariant_.tolerance;
+  plan.timeout = limits_.time;
+  plan.memory_bytes = limits_.resident_bytes;
+  plan.max_contacts = std::numeric_limits<Index>::max();
+  plan.max_samples = 1;
   Trial trial;
-  const std::optional<Outcome> outcome = wait_for(worker, interrupted_);
+  lcp::run(
+      plan,
+      [&trial](const Record& record) {
+        trial = {
+            record.verdict, record.unclaimed, record.trivial,
+            record.accuracy ? record.accuracy->residual : std::numeric_limits<double>::infinity(),
+            record.work.pivots};
+      },
+      [](const Progress&) {}, interrupted_);
   progress_(++solves_);
-  if (!outcome) return trial;
-  trial.trivial = zero_residual(problem) <= invariant_.tolerance;
-  if (outcome->how != Outcome::How::answered) {
-    trial.verdict = verdict_without_answer(*outcome);
-    trial.residual = std::numeric_limits<double>::infinity();
-    return trial;
-  }
-  Instance instance;
-  instance.problem = problem;
-  const Judgement judgement = judge(instance, outcome->result, invariant_.tolerance);
-  return {judgement.verdict, judgement.unclaimed, trial.trivial, judgement.accuracy.residual,
-          outcome->result.work.pivots};
+  return trial;
 }
 
 bool is_failure(const Trial& trial) {
