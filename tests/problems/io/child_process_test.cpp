@@ -67,7 +67,8 @@ std::string said_by(ChildStreams streams, const std::function<std::string()>& wo
 
 TEST(ChildProcess, HasNoFileOpenButItsStreamsUnlessItKeepsThem) {
   const files::TemporaryFolder folder;
-  const FileDescriptor file(open(folder.file("x").c_str(), O_WRONLY | O_CREAT, 0666));
+  const FileDescriptor low(open(folder.file("x").c_str(), O_WRONLY | O_CREAT, 0666));
+  const FileDescriptor file(fcntl(low.get(), F_DUPFD, 50));  // a number that no stream has
   const auto work = [&] { return std::string(write_all(file.get(), "kept") ? "open" : "closed"); };
   EXPECT_EQ(said_by({}, work), "closed");
   EXPECT_EQ(said_by({.keeps_files = true}, work), "open");
