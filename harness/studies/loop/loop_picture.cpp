@@ -29,7 +29,7 @@ constexpr DriftPanel kDriftPanels[] = {
     {"difference of energy (J)", 1e-16, 1e6, [](const LoopSample& s) { return s.drift.energy; }},
     {"difference of overlap (mm)", 1e-13, 1e6,
      [](const LoopSample& s) { return 1e3 * s.drift.depth; }},
-    {"natural residual of the frame's LCP (10 and more at 10)", 1e-17, 10,
+    {"natural residual of the LCP in each frame (10 and more at 10)", 1e-17, 10,
      [](const LoopSample& s) { return s.residual; }}};
 
 /// The reference disturbed and with half the time step grey and dark; solvers as everywhere, settings
@@ -64,7 +64,7 @@ Figure loop_figure(const LoopStudy& study) {
   const double duration = reference.simulated();
   const std::vector<Look> looks = looks_of(study.lines);
   const PanelGrid grid{
-      .abreast = 1, .width = 560, .height = 150, .above = 34, .below = 6, .top = 26};
+      .abreast = 1, .width = 560, .height = 150, .above = 34, .below = 6, .top = 40};
   constexpr std::size_t count = std::size(kDriftPanels);
   Figure figure{.title = fmt::format("{}: distance from the motion that {} drives", reference.scene,
                                      reference.solver),

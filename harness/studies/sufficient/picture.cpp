@@ -100,7 +100,7 @@ Panel chart_panel(const Study& study, const PageArea& area) {
       .area = area,
       .title = fmt::format("{}: which model is enough, over {:.3g} s", study.plan.ladder.scene,
                            study.horizon),
-      .x = {.label = "saved of a step's processor time (%; least: -100)", .low = low, .high = 100},
+      .x = {.label = "saved processor time of a step (%; least: -100)", .low = low, .high = 100},
       .y = {.label = "largest physical error / its tolerance (least: 1e-4)",
             .low = bottom,
             .high = top,
