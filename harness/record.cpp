@@ -1,7 +1,6 @@
 #include "harness/record.h"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <cmath>
 #include <iterator>
@@ -92,61 +91,6 @@ json accuracy_to_json(const Accuracy& accuracy) {
 
 }  // namespace
 
-const std::vector<Verdict>& all_verdicts() {
-  static const std::vector<Verdict> verdicts = {
-      Verdict::solved,    Verdict::wrong,       Verdict::inaccurate,       Verdict::ray,
-      Verdict::exhausted, Verdict::infeasible,  Verdict::false_infeasible, Verdict::cycle,
-      Verdict::limit,     Verdict::singular,    Verdict::timeout,          Verdict::memory,
-      Verdict::crash,     Verdict::unsupported, Verdict::not_run};
-  return verdicts;
-}
-
-std::string to_string(Verdict verdict) {
-  switch (verdict) {
-    case Verdict::solved:
-      return "solved";
-    case Verdict::wrong:
-      return "wrong";
-    case Verdict::inaccurate:
-      return "inaccurate";
-    case Verdict::ray:
-      return "ray";
-    case Verdict::exhausted:
-      return "exhausted";
-    case Verdict::infeasible:
-      return "infeasible";
-    case Verdict::false_infeasible:
-      return "false-infeasible";
-    case Verdict::cycle:
-      return "cycle";
-    case Verdict::limit:
-      return "limit";
-    case Verdict::singular:
-      return "singular";
-    case Verdict::timeout:
-      return "timeout";
-    case Verdict::memory:
-      return "memory";
-    case Verdict::crash:
-      return "crash";
-    case Verdict::unsupported:
-      return "unsupported";
-    case Verdict::not_run:
-      return "not-run";
-  }
-  return "?";
-}
-
-Verdict verdict_from_string(const std::string& name) {
-  std::vector<std::string> names;
-  for (const Verdict verdict : all_verdicts()) {
-    names.push_back(to_string(verdict));
-    if (names.back() == name) return verdict;
-  }
-  throw std::invalid_argument(
-      fmt::format("unknown verdict '{}', expected one of {}", name, fmt::join(names, ", ")));
-}
-
 PairKey key_of(const Record& record) {
   return {record.instance, record.sha256, record.solver, record.start};
 }
@@ -225,10 +169,10 @@ void from_json(const json& object, Record& record) {
   get(object, "times_ns", record.times_ns);
   get(object, "jobs", record.jobs);
   get(object, "environment", record.environment);
-  record.verdict = read_field(object, "verdict", verdict_from_string);
+  record.verdict = read_field(object, "verdict", from_string<Verdict>);
   record.tolerance = read_field(object, "tolerance", number_from_json);
   if (!decided_by_runner(record.verdict))
-    record.claim = read_field(object, "claim", claim_from_string);
+    record.claim = read_field(object, "claim", from_string<Claim>);
   if (object.contains("active_contacts")) {
     record.active_contacts.emplace();
     get(object, "active_contacts", *record.active_contacts);

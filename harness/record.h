@@ -10,7 +10,8 @@
 
 namespace lcp {
 
-/// What the judge, or the runner where there is nothing to judge, decides of one run.
+/// The decision of the judge, or of the runner where there is nothing to judge, on one run. Rows hold its name
+/// with '-' for '_': false-infeasible, not-run.
 enum class Verdict {
   solved,      ///< Claimed solved, natural residual within the tolerance.
   wrong,       ///< Claimed solved or infeasible, and fails the check.
@@ -29,13 +30,8 @@ enum class Verdict {
   not_run,  ///< The runner's: the pair was left out.
 };
 
-const std::vector<Verdict>& all_verdicts();
-std::string to_string(Verdict verdict);  ///< With '-' for '_': false-infeasible, not-run.
-/// Throws std::invalid_argument with the list of verdicts.
-Verdict verdict_from_string(const std::string& name);
-
 /// How good an answer is. Everything is computed from M, q and the answer in __float128 (113 bits)
-/// and rounded at the end. Where z, w or the covering vector is no vector of n finite numbers, or
+/// and rounded at the end. Where z, w or the covering vector is not n finite numbers, or
 /// the basis names a row that does not exist, every figure of the answer is infinite (the minima
 /// minus infinity).
 struct Accuracy {
@@ -90,7 +86,7 @@ struct Record {
   std::optional<std::int64_t> median_ns() const;
 };
 
-/// What makes two rows the same piece of work. The name stands beside the hash because a corpus may
+/// The key by which two rows are the same piece of work. The name stands beside the hash because a corpus may
 /// hold one problem twice.
 struct PairKey {
   std::string instance;

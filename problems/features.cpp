@@ -1,6 +1,6 @@
 #include "problems/features.h"
 
-#include "problems/singular_values.h"
+#include "problems/decompositions.h"
 
 namespace lcp {
 
@@ -27,17 +27,20 @@ void fill_rank_and_condition(const MatrixXd& matrix, const FeatureOptions& optio
 
 }  // namespace
 
+double asymmetry_of(const MatrixXd& M) {
+  const double largest = M.size() > 0 ? M.cwiseAbs().maxCoeff() : 0;
+  return largest > 0 ? (M - M.transpose()).cwiseAbs().maxCoeff() / largest : 0;
+}
+
 Features features(const Problem& problem, const FeatureOptions& options) {
   Features found;
   found.n = problem.size();
   found.contacts = problem.friction ? problem.friction->contacts() : 0;
   found.tied_q = rows_sharing_least_q(problem, options.tie_threshold);
   const MatrixXd& M = problem.M;
-  const double largest = M.size() > 0 ? M.cwiseAbs().maxCoeff() : 0;
-  if (largest > 0) {
-    found.asymmetry = (M - M.transpose()).cwiseAbs().maxCoeff() / largest;
+  found.asymmetry = asymmetry_of(M);
+  if (M.size() > 0)
     found.density = static_cast<double>((M.array() != 0).count()) / static_cast<double>(M.size());
-  }
   fill_rank_and_condition(problem.friction ? problem.friction->W : M, options, found);
   return found;
 }

@@ -13,11 +13,11 @@ struct FeatureOptions {
   Index largest_svd = 1500;       ///< Rows above which no singular values are computed.
 };
 
-/// What can be said of an instance without solving it.
+/// A description of an instance that needs no solve.
 struct Features {
   Index n = 0;
   Index contacts = 0;    ///< 0 where there are no friction blocks.
-  double asymmetry = 0;  ///< max |M - M'| / max |M|; 0 says that M is symmetric to the bit.
+  double asymmetry = 0;  ///< asymmetry_of M; 0 says that M is symmetric to the bit.
   double density = 0;    ///< Share of the entries of M that are not zero.
   Index tied_q = 0;      ///< Rows that share the least q_i / s_w,i: a tie before the first pivot.
   /// Singular values of W (of M where there are no contacts) above the threshold; empty when the
@@ -26,6 +26,9 @@ struct Features {
   /// Largest over smallest of those singular values; empty also when there are none.
   std::optional<double> condition;
 };
+
+/// max |M - M'| / max |M|; 0 of a matrix of zeros.
+double asymmetry_of(const MatrixXd& M);
 
 /// Features of a problem that passes check(); an n = 0 problem has zeros throughout.
 Features features(const Problem& problem, const FeatureOptions& options = {});

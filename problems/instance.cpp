@@ -8,6 +8,8 @@
 #include <memory>
 #include <stdexcept>
 
+#include "solvers/errors.h"
+
 namespace lcp {
 
 namespace {
@@ -80,17 +82,8 @@ std::string content_hash(const Problem& problem) {
   hash.add(problem.c);
   hash.add(problem.pivot_limit);
   hash.add(Index{problem.friction.has_value()});
-  if (problem.friction) {
-    const FrictionBlocks& blocks = *problem.friction;
-    hash.add(blocks.W);
-    hash.add(blocks.vbar);
-    hash.add(blocks.mu);
-    hash.add(blocks.directions);
-    hash.add(blocks.directions_per_contact);
-    hash.add(blocks.normal_row);
-    hash.add(blocks.friction_row);
-    hash.add(blocks.cone_row);
-  }
+  if (problem.friction)
+    each_field(*problem.friction, [&](const char*, const auto& field) { hash.add(field); });
   return hash.hexadecimal();
 }
 
@@ -105,7 +98,7 @@ std::string hash_with_previous(const Instance& instance) {
 
 void check(const Start& start, Index n, const std::string& where) {
   const auto fail = [&where](const std::string& what) {
-    throw std::invalid_argument(fmt::format("{}: {}", where, what));
+    throw InvalidArgument("{}: {}", where, what);
   };
   for (std::size_t k = 0; k < start.alpha.size(); ++k) {
     const Index row = start.alpha[k];

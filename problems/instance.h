@@ -38,7 +38,7 @@ std::string hash_with_previous(const Instance& instance);
 /// is empty or n finite numbers.
 void check(const Start& start, Index n, const std::string& where);
 
-/// Gives plain scales to a problem that has none, checks it (throws std::invalid_argument naming
+/// Gives plain scales to a problem without scales, checks it (throws std::invalid_argument naming
 /// `name`) and fills the hash.
 Instance make_instance(std::string name, Problem problem,
                        std::map<std::string, std::string> provenance);

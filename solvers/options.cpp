@@ -8,6 +8,8 @@
 #include <limits>
 #include <stdexcept>
 
+#include "solvers/errors.h"
+
 namespace lcp {
 
 std::string shortest(double value) { return fmt::format("{}", value); }
@@ -30,7 +32,7 @@ std::optional<Number> read_number(const std::string& word) {
 
 [[noreturn]] void refuse(const std::string& name, const std::string& word,
                          const std::string& accepts) {
-  throw std::invalid_argument(fmt::format("{}={}: expected {}", name, word, accepts));
+  throw InvalidArgument("{}={}: expected {}", name, word, accepts);
 }
 
 template <class Number>
@@ -107,8 +109,8 @@ Option text(std::string name, std::string& field, std::string doc) {
           {}};
 }
 
-Option choice(std::string name, std::vector<std::string> values, std::function<int()> get_index,
-              std::function<void(int)> set_index, std::string doc) {
+Option choice(std::string name, const std::vector<std::string>& values,
+              std::function<int()> get_index, std::function<void(int)> set_index, std::string doc) {
   std::string accepts = fmt::format("one of {}", fmt::join(values, ", "));
   return {name,
           std::move(doc),
@@ -126,8 +128,7 @@ Spelling parse_spelling(const std::string& text) {
   const std::size_t colon = text.find(':');
   Spelling spelling{text.substr(0, colon), {}};
   if (spelling.name.empty())
-    throw std::invalid_argument(
-        fmt::format("'{}': expected name or name:key=value,key=value", text));
+    throw InvalidArgument("'{}': expected name or name:key=value,key=value", text);
   if (colon == std::string::npos) return spelling;
   std::size_t begin = colon + 1;
   while (begin <= text.size()) {
@@ -135,11 +136,10 @@ Spelling parse_spelling(const std::string& text) {
     const std::string setting = text.substr(begin, end - begin);
     const std::size_t equals = setting.find('=');
     if (equals == std::string::npos || equals == 0 || equals + 1 == setting.size())
-      throw std::invalid_argument(fmt::format("'{}' in '{}': expected key=value", setting, text));
+      throw InvalidArgument("'{}' in '{}': expected key=value", setting, text);
     const std::string key = setting.substr(0, equals);
     for (const auto& [known, value] : spelling.settings)
-      if (known == key)
-        throw std::invalid_argument(fmt::format("'{}' is set twice in '{}'", key, text));
+      if (known == key) throw InvalidArgument("'{}' is set twice in '{}'", key, text);
     spelling.settings.emplace_back(key, setting.substr(equals + 1));
     begin = end + 1;
   }
@@ -155,12 +155,12 @@ void apply(const OptionTable& table, const Spelling& spelling, const std::string
       if (option.name == key) found = &option;
     }
     if (!found)
-      throw std::invalid_argument(
-          fmt::format("{} has no option '{}', it has: {}", owner, key, fmt::join(names, ", ")));
+      throw InvalidArgument("{} has no option '{}', it has: {}", owner, key,
+                            fmt::join(names, ", "));
     try {
       found->set(value);
     } catch (const std::invalid_argument& error) {
-      throw std::invalid_argument(fmt::format("{}: {}", owner, error.what()));
+      throw InvalidArgument("{}: {}", owner, error.what());
     }
   }
 }

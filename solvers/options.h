@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "solvers/names.h"
 #include "solvers/problem.h"
 
 namespace lcp {
@@ -42,13 +43,13 @@ Option count_or(std::string name, Index& field, Index min, Index max, std::strin
 /// Free text without commas.
 Option text(std::string name, std::string& field, std::string doc);
 /// One of `values`; `get_index` and `set_index` give access by position.
-Option choice(std::string name, std::vector<std::string> values, std::function<int()> get_index,
-              std::function<void(int)> set_index, std::string doc);
-/// One of `values`, stored in an enum whose constants count from 0 in that order.
-template <class Enum>
-Option choice(std::string name, Enum& field, std::vector<std::string> values, std::string doc) {
+Option choice(std::string name, const std::vector<std::string>& values,
+              std::function<int()> get_index, std::function<void(int)> set_index, std::string doc);
+/// One of the constants of an enum, by its name.
+template <Enumeration Enum>
+Option choice(std::string name, Enum& field, std::string doc) {
   return choice(
-      std::move(name), std::move(values), [&field] { return static_cast<int>(field); },
+      std::move(name), all_names<Enum>(), [&field] { return static_cast<int>(field); },
       [&field](int index) { field = static_cast<Enum>(index); }, std::move(doc));
 }
 

@@ -1,10 +1,27 @@
 #include "solvers/problem.h"
 
-#include <fmt/format.h>
-
-#include <stdexcept>
+#include "solvers/errors.h"
 
 namespace lcp {
+
+std::vector<Index> FrictionBlocks::rows_of(Index i) const {
+  std::vector<Index> rows = {normal_row[i]};
+  if (friction_row[i] < 0) return rows;
+  for (Index k = 0; k < directions_per_contact; ++k) rows.push_back(friction_row[i] + k);
+  rows.push_back(cone_row[i]);
+  return rows;
+}
+
+Problem restricted(const Problem& problem, const std::vector<Index>& rows) {
+  Problem part;
+  part.M = problem.M(rows, rows);
+  part.q = problem.q(rows);
+  part.s_z = problem.s_z(rows);
+  part.s_w = problem.s_w(rows);
+  if (problem.c.size() > 0) part.c = problem.c(rows);
+  part.pivot_limit = problem.pivot_limit;
+  return part;
+}
 
 void set_plain_scales(Problem& problem) {
   const Index n = problem.size();
@@ -21,8 +38,8 @@ namespace {
 void require_shape(Index rows, Index columns, Index want_rows, Index want_columns,
                    const std::string& where, const char* field) {
   if (rows == want_rows && columns == want_columns) return;
-  throw std::invalid_argument(fmt::format("{}: {} is {} x {}, expected {} x {}", where, field, rows,
-                                          columns, want_rows, want_columns));
+  throw InvalidArgument("{}: {} is {} x {}, expected {} x {}", where, field, rows, columns,
+                        want_rows, want_columns);
 }
 
 void require_finite(const Eigen::Ref<const MatrixXd>& numbers, const std::string& where,
@@ -30,23 +47,23 @@ void require_finite(const Eigen::Ref<const MatrixXd>& numbers, const std::string
   for (Index j = 0; j < numbers.cols(); ++j)
     for (Index i = 0; i < numbers.rows(); ++i)
       if (!std::isfinite(numbers(i, j)))
-        throw std::invalid_argument(fmt::format("{}: {}({}, {}) is {}, expected a finite number",
-                                                where, field, i, j, numbers(i, j)));
+        throw InvalidArgument("{}: {}({}, {}) is {}, expected a finite number", where, field, i, j,
+                              numbers(i, j));
 }
 
 void require_positive(const VectorXd& numbers, const std::string& where, const char* field) {
   require_finite(numbers, where, field);
   for (Index i = 0; i < numbers.size(); ++i)
     if (!(numbers(i) > 0))
-      throw std::invalid_argument(
-          fmt::format("{}: {}({}) is {}, expected a positive number", where, field, i, numbers(i)));
+      throw InvalidArgument("{}: {}({}) is {}, expected a positive number", where, field, i,
+                            numbers(i));
 }
 
 void require_row(Index row, Index size, Index n, const std::string& where, const char* field,
                  Index contact) {
   if (row >= 0 && row <= n - size) return;
-  throw std::invalid_argument(fmt::format("{}: {} of contact {} is {}, expected 0 ... {}", where,
-                                          field, contact, row, n - size));
+  throw InvalidArgument("{}: {} of contact {} is {}, expected 0 ... {}", where, field, contact, row,
+                        n - size);
 }
 
 void check_friction(const FrictionBlocks& blocks, Index n, const std::string& where) {
@@ -66,8 +83,7 @@ void check_friction(const FrictionBlocks& blocks, Index n, const std::string& wh
   require_shape(static_cast<Index>(blocks.cone_row.size()), 1, contacts, 1, where, "cone_row");
   for (Index i = 0; i < contacts; ++i) {
     if (blocks.mu(i) < 0)
-      throw std::invalid_argument(
-          fmt::format("{}: mu({}) is {}, expected 0 or more", where, i, blocks.mu(i)));
+      throw InvalidArgument("{}: mu({}) is {}, expected 0 or more", where, i, blocks.mu(i));
     require_row(blocks.normal_row[i], 1, n, where, "normal_row", i);
     if (blocks.friction_row[i] < 0 && blocks.cone_row[i] < 0 && blocks.mu(i) == 0) continue;
     require_row(blocks.friction_row[i], m, n, where, "friction_row", i);
@@ -91,8 +107,7 @@ void check(const Problem& problem, const std::string& where) {
     require_positive(problem.c, where, "c");
   }
   if (problem.pivot_limit < 0)
-    throw std::invalid_argument(
-        fmt::format("{}: pivot_limit is {}, expected 0 or more", where, problem.pivot_limit));
+    throw InvalidArgument("{}: pivot_limit is {}, expected 0 or more", where, problem.pivot_limit);
   if (problem.friction) check_friction(*problem.friction, n, where);
 }
 

@@ -28,7 +28,22 @@ struct FrictionBlocks {
   std::vector<Index> cone_row;       ///< Row of lambda_i; -1 where mu_i = 0.
 
   Index contacts() const { return mu.size(); }
+  /// Rows of contact i's unknowns: a, then b_1 ... b_m and lambda where it has friction.
+  std::vector<Index> rows_of(Index i) const;
 };
+
+/// Calls visit(name, field) for every field, in their order. `blocks` may be const.
+template <class Blocks, class Visit>
+void each_field(Blocks& blocks, const Visit& visit) {
+  visit("W", blocks.W);
+  visit("vbar", blocks.vbar);
+  visit("mu", blocks.mu);
+  visit("directions", blocks.directions);
+  visit("directions_per_contact", blocks.directions_per_contact);
+  visit("normal_row", blocks.normal_row);
+  visit("friction_row", blocks.friction_row);
+  visit("cone_row", blocks.cone_row);
+}
 
 /// LCP(M, q): find z with w = M z + q, w >= 0, z >= 0, w'z = 0 (eqs. 1-2).
 ///
@@ -50,6 +65,10 @@ struct Problem {
     return pivot_limit > 0 ? pivot_limit : std::max<Index>(1000, 50 * size());
   }
 };
+
+/// The rows and columns `rows` of M, with those of q, scales and covering vector, and the pivot limit;
+/// without friction blocks.
+Problem restricted(const Problem& problem, const std::vector<Index>& rows);
 
 /// Fills s_z and s_w of a problem without contact structure: s_w = |q|_inf (1 if zero),
 /// s_z = s_w / max |M| (s_w if M is zero).

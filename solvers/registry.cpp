@@ -5,7 +5,8 @@
 #include <fnmatch.h>
 
 #include <algorithm>
-#include <stdexcept>
+
+#include "solvers/errors.h"
 
 namespace lcp {
 
@@ -19,10 +20,7 @@ namespace {
   return true;
 }();
 
-std::vector<Row>& rows() {
-  static std::vector<Row> all;
-  return all;
-}
+const Catalogue<RowInfo, Solver>& rows() { return Catalogue<RowInfo, Solver>::instance(); }
 
 std::vector<AbsentPeer>& absent() {
   static std::vector<AbsentPeer> all;
@@ -30,37 +28,22 @@ std::vector<AbsentPeer>& absent() {
 }
 
 NamedSolver make_from(const Row& row, const Spelling& spelling) {
-  std::shared_ptr<Solver> solver = row.make();
-  apply(solver->options(), spelling, row.info.name);
-  std::string full = full_spelling(row.info.name, solver->options(), row.make()->options());
-  return {std::move(full), row.info, std::move(solver)};
-}
-
-std::string row_names() {
-  std::vector<std::string> names;
-  for (const Row& row : registry()) names.push_back(row.info.name);
-  return fmt::format("{}", fmt::join(names, ", "));
+  Row::Made made = row.with(spelling);
+  return {std::move(made.spelling), std::move(made.info), std::move(made.thing)};
 }
 
 /// Throws, naming the package, when `pattern` fits peers that are not built in.
 void refuse_absent(const std::string& pattern) {
   for (const AbsentPeer& peer : absent_peers()) {
     if (fnmatch(pattern.c_str(), peer.name.c_str(), 0) != 0) continue;
-    throw std::invalid_argument(
-        fmt::format("solver '{}' is not built in: it needs {}, Debian package {}; install it, then "
-                    "configure and build again",
-                    pattern, peer.outside_library, peer.package));
+    throw InvalidArgument(
+        "solver '{}' is not built in: it needs {}, Debian package {}; install it, then "
+        "configure and build again",
+        pattern, peer.outside_library, peer.package);
   }
 }
 
 }  // namespace
-
-void Registration::add(Row row) {
-  const auto place =
-      std::lower_bound(rows().begin(), rows().end(), row,
-                       [](const Row& a, const Row& b) { return a.info.name < b.info.name; });
-  rows().insert(place, std::move(row));
-}
 
 Absence::Absence(const std::vector<std::string>& names, const std::string& library,
                  const std::string& package) {
@@ -69,15 +52,27 @@ Absence::Absence(const std::vector<std::string>& names, const std::string& libra
             [](const AbsentPeer& a, const AbsentPeer& b) { return a.name < b.name; });
 }
 
-const std::vector<Row>& registry() { return rows(); }
+const std::vector<Row>& registry() { return rows().rows(); }
+
+std::vector<std::string> rows_in_suites(const std::vector<Row>& rows) {
+  std::vector<const RowInfo*> own;
+  for (const Row& row : rows)
+    if (!row.info.peer()) own.push_back(&row.info);
+  std::stable_sort(own.begin(), own.end(), [](const RowInfo* a, const RowInfo* b) {
+    return a->in_suites.place < b->in_suites.place;
+  });
+  std::vector<std::string> spellings;
+  for (const RowInfo* info : own)
+    for (const std::string& setting : info->in_suites.settings)
+      spellings.push_back(setting.empty() ? info->name : info->name + ":" + setting);
+  return spellings;
+}
 
 const std::vector<AbsentPeer>& absent_peers() { return absent(); }
 
 const Row& find_row(const std::string& name) {
-  for (const Row& row : registry())
-    if (row.info.name == name) return row;
   refuse_absent(name);
-  throw std::invalid_argument(fmt::format("unknown solver '{}', known are: {}", name, row_names()));
+  return rows().find(name);
 }
 
 NamedSolver make_solver(const std::string& text) {
@@ -115,8 +110,8 @@ std::vector<NamedSolver> make_solvers(const std::vector<std::string>& texts) {
     }
     if (matched) continue;
     refuse_absent(pattern);
-    throw std::invalid_argument(
-        fmt::format("no solver matches '{}', known are: {}", spelling.name, row_names()));
+    throw InvalidArgument("no solver matches '{}', known are: {}", spelling.name,
+                          fmt::join(rows().names(), ", "));
   }
   return solvers;
 }

@@ -6,11 +6,12 @@
 #include <string>
 #include <vector>
 
+#include "solvers/names.h"
 #include "solvers/problem.h"
 
 namespace lcp {
 
-/// What a solver says of itself; what is true is the judge's to say.
+/// A solver's own word on its answer; the truth is the judge's to find.
 enum class Claim {
   solved,       ///< z is a solution.
   ray,          ///< Nothing blocks the driving variable (secondary ray); proves nothing by itself.
@@ -21,10 +22,6 @@ enum class Claim {
   singular,     ///< No usable pivot, a singular basis, or non-finite numbers.
   unsupported,  ///< The method does not apply to this problem; `message` says why.
 };
-
-const std::vector<Claim>& all_claims();
-std::string to_string(Claim claim);
-Claim claim_from_string(const std::string& name);
 
 /// Deterministic counts of what was done.
 struct Work {
@@ -82,7 +79,7 @@ struct PivotEvent {
 
 using Observer = std::function<void(const PivotEvent&)>;
 
-/// What a caller may add to a problem.
+/// Things a caller may add to a problem.
 struct Call {
   std::optional<Start> start;
   Observer observer;  ///< Empty: nobody watches.

@@ -3,17 +3,14 @@
 #include <fmt/format.h>
 
 #include <cstdio>
-#include <memory>
-#include <nlohmann/json.hpp>
 
-#include "harness/cli/verbs.h"
+#include "harness/cli/page.h"
+#include "harness/present/columns.h"
 #include "harness/runs/run_directory.h"
 
 namespace lcp::cli {
 
 namespace {
-
-using Json = nlohmann::ordered_json;
 
 struct CompareArguments {
   std::string before;
@@ -22,41 +19,37 @@ struct CompareArguments {
   bool json = false;
 };
 
-Json to_json(const Comparison& comparison) {
-  Json json = {{"compared", comparison.compared},
+Cell ratio_of(const Regression& r) {
+  return r.kind == Regression::Kind::lost ? Cell() : Cell(r.ratio);
+}
+
+const std::vector<Column<Regression>>& regression_columns() {
+  static const std::vector<Column<Regression>> columns = {
+      {{"kind", "worse"}, [](const Regression& r) { return to_string(r.kind); }},
+      {{.heading = "ratio", .number = "x{:.2f}"}, [](const Regression& r) { return ratio_of(r); }},
+      {{"instance", "instance"}, [](const Regression& r) { return r.pair.instance; }},
+      {{"solver"}, [](const Regression& r) { return r.pair.solver; }},
+      {{"start"}, [](const Regression& r) { return r.pair.start; }},
+      {{"", "solver"},
+       [](const Regression& r) {
+         return r.pair.start == "cold" ? r.pair.solver
+                                       : fmt::format("{} [{}]", r.pair.solver, r.pair.start);
+       }},
+      {{"ratio"}, [](const Regression& r) { return ratio_of(r); }},
+      {{"before", "before"}, &Regression::before},
+      {{"after", "after"}, &Regression::after}};
+  return columns;
+}
+
+Cell json_of(const Comparison& comparison) {
+  Cell json = {{"compared", comparison.compared},
                {"gained", comparison.gained},
                {"only_old", comparison.only_old},
                {"only_new", comparison.only_new},
-               {"regressions", Json::array()}};
+               {"regressions", Cell::array()}};
   for (const Regression& each : comparison.regressions)
-    json["regressions"].push_back(
-        {{"kind", to_string(each.kind)},
-         {"instance", each.pair.instance},
-         {"solver", each.pair.solver},
-         {"start", each.pair.start},
-         {"ratio", each.kind == Regression::Kind::lost ? Json() : Json(each.ratio)},
-         {"before", each.before},
-         {"after", each.after}});
+    json["regressions"].push_back(json_object(regression_columns(), each));
   return json;
-}
-
-/// The solver, and its start unless it is cold.
-std::string spelled(const PairKey& pair) {
-  return pair.start == "cold" ? pair.solver : fmt::format("{} [{}]", pair.solver, pair.start);
-}
-
-void print(const Comparison& comparison) {
-  std::size_t instance = 0, solver = 0;
-  for (const Regression& each : comparison.regressions) {
-    instance = std::max(instance, each.pair.instance.size());
-    solver = std::max(solver, spelled(each.pair).size());
-  }
-  for (const Regression& each : comparison.regressions) {
-    const std::string ratio =
-        each.kind == Regression::Kind::lost ? "" : fmt::format("x{:.2f}", each.ratio);
-    fmt::print("{:<6} {:>8}  {:<{}}  {:<{}}  {} -> {}\n", to_string(each.kind), ratio,
-               each.pair.instance, instance, spelled(each.pair), solver, each.before, each.after);
-  }
 }
 
 /// Says on stderr what stands against comparing the times of two runs.
@@ -75,9 +68,9 @@ int compare_runs(const CompareArguments& arguments) {
   const StoredRun after = read_stored_run(arguments.after);
   const Comparison comparison = compare(before.rows, after.rows, arguments.options);
   if (arguments.json)
-    fmt::print("{}\n", to_json(comparison).dump(1));
-  else
-    print(comparison);
+    fmt::print("{}\n", json_of(comparison).dump(1));
+  else if (!comparison.regressions.empty())
+    fmt::print("{}", text_table(cells_of(regression_columns(), comparison.regressions)));
   note_environments(before, after);
   fmt::print(stderr,
              "{} pairs compared: {} regressions, {} newly solved; {} only in {}, {} only in {}\n",
@@ -86,30 +79,29 @@ int compare_runs(const CompareArguments& arguments) {
   return comparison.regressions.empty() ? done : regression;
 }
 
+void compare_options(CLI::App& page, CompareArguments& arguments) {
+  add(page, "OLD", arguments.before, "Run directory")->required();
+  add(page, "NEW", arguments.after, "Run directory")->required();
+  add_with_default(page, "--pivot-growth", arguments.options.pivot_growth,
+                   "Share by which the pivots of a solved pair may grow", CLI::NonNegativeNumber);
+  add_with_default(
+      page, "--time-ratio", arguments.options.time_ratio,
+      "Ratio of median times that counts, where no sample of one run is among the other's",
+      CLI::PositiveNumber);
+  page.add_flag("--json", arguments.json, "As JSON");
+}
+
 }  // namespace
 
 Verb add_compare(CLI::App& program) {
-  CLI::App* page = program.add_subcommand(
-      "compare", "List what got worse from one run to another; exit status 1 if anything did");
-  auto arguments = std::make_shared<CompareArguments>();
-  page->add_option("OLD", arguments->before, "Run directory")->required();
-  page->add_option("NEW", arguments->after, "Run directory")->required();
-  page->add_option("--pivot-growth", arguments->options.pivot_growth,
-                   "Share by which the pivots of a solved pair may grow")
-      ->check(CLI::NonNegativeNumber)
-      ->capture_default_str();
-  page->add_option("--time-ratio", arguments->options.time_ratio,
-                   "Ratio of median times that counts, where no sample of one run is among the "
-                   "other's")
-      ->check(CLI::PositiveNumber)
-      ->capture_default_str();
-  page->add_flag("--json", arguments->json, "As JSON");
-  page->footer(
+  return make_verb<CompareArguments>(
+      program, "compare",
+      "List what got worse from one run to another; exit status 1 if anything did", compare_options,
+      compare_runs,
       "Lists pairs that lost `solved`, then those with more pivots, then slower ones, worst "
       "first.\n"
       "Example:\n"
       "  lcpbench compare runs/before runs/after");
-  return {page, [arguments] { return compare_runs(*arguments); }};
 }
 
 }  // namespace lcp::cli

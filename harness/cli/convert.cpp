@@ -1,9 +1,7 @@
 #include <fmt/format.h>
 
-#include <memory>
-
+#include "harness/cli/page.h"
 #include "harness/cli/reading.h"
-#include "harness/cli/verbs.h"
 #include "problems/io/load.h"
 
 namespace lcp::cli {
@@ -24,16 +22,18 @@ int convert(const ConvertArguments& arguments) {
   return done;
 }
 
+void convert_options(CLI::App& page, ConvertArguments& arguments) {
+  add(page, "IN", arguments.in, "FILE, FILE#NAME or directory")->required();
+  add(page, "OUT", arguments.out, "File to write; its ending says the format")->required();
+  add_reading_option(page, arguments.reading);
+}
+
 }  // namespace
 
 Verb add_convert(CLI::App& program) {
-  CLI::App* page = program.add_subcommand("convert", "Write instances in another format");
-  auto arguments = std::make_shared<ConvertArguments>();
-  page->add_option("IN", arguments->in, "FILE, FILE#NAME or directory")->required();
-  page->add_option("OUT", arguments->out, "File to write; its ending says the format")->required();
-  add_reading_option(*page, arguments->reading);
-  page->footer("Example:\n  lcpbench convert squat.hdf5#squat-like/0003 third.M.mtx");
-  return {page, [arguments] { return convert(*arguments); }};
+  return make_verb<ConvertArguments>(
+      program, "convert", "Write instances in another format", convert_options, convert,
+      "Example:\n  lcpbench convert squat.hdf5#squat-like/0003 third.M.mtx");
 }
 
 }  // namespace lcp::cli

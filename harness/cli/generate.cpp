@@ -1,8 +1,6 @@
 #include <fmt/format.h>
 
-#include <memory>
-
-#include "harness/cli/verbs.h"
+#include "harness/cli/page.h"
 #include "problems/io/load.h"
 #include "problems/registry.h"
 
@@ -25,21 +23,22 @@ int generate_to_file(const GenerateArguments& arguments) {
   return done;
 }
 
+void generate_options(CLI::App& page, GenerateArguments& arguments) {
+  add(page, "FAMILY", arguments.family, "NAME[:key=value,...] (see: lcpbench list families)")
+      ->required();
+  add(page, "--count", arguments.count, "Instances; default: the family's", CLI::PositiveNumber);
+  add_with_default(page, "--seed", arguments.seed, "Same seed, same bits");
+  add(page, "--out", arguments.out, "File to write: .hdf5, or NAME.M.mtx for one instance")
+      ->required();
+}
+
 }  // namespace
 
 Verb add_generate(CLI::App& program) {
-  CLI::App* page = program.add_subcommand("generate", "Draw instances of a family into a file");
-  auto arguments = std::make_shared<GenerateArguments>();
-  page->add_option("FAMILY", arguments->family,
-                   "NAME[:key=value,...] (see: lcpbench list families)")
-      ->required();
-  page->add_option("--count", arguments->count, "Instances; default: the family's")
-      ->check(CLI::PositiveNumber);
-  page->add_option("--seed", arguments->seed, "Same seed, same bits")->capture_default_str();
-  page->add_option("--out", arguments->out, "File to write: .hdf5, or NAME.M.mtx for one instance")
-      ->required();
-  page->footer("Example:\n  lcpbench generate squat-like:contacts=8 --count 20 --out squat.hdf5");
-  return {page, [arguments] { return generate_to_file(*arguments); }};
+  return make_verb<GenerateArguments>(
+      program, "generate", "Draw instances of a family into a file", generate_options,
+      generate_to_file,
+      "Example:\n  lcpbench generate squat-like:contacts=8 --count 20 --out squat.hdf5");
 }
 
 }  // namespace lcp::cli

@@ -1,11 +1,10 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include <memory>
 #include <nlohmann/json.hpp>
 
+#include "harness/cli/page.h"
 #include "harness/cli/reading.h"
-#include "harness/cli/verbs.h"
 #include "problems/features.h"
 #include "solvers/registry.h"
 
@@ -29,8 +28,7 @@ Json range(const VectorXd& numbers) {
 
 template <class Number>
 Json or_null(const std::optional<Number>& number) {
-  if (!number) return nullptr;
-  return *number;
+  return number ? Json(*number) : Json();
 }
 
 /// How many rows each of the first pivots could have taken: rows within the tie threshold of the
@@ -102,17 +100,19 @@ int info(const InfoArguments& arguments) {
   return done;
 }
 
+void info_options(CLI::App& page, InfoArguments& arguments) {
+  add(page, "INSTANCE", arguments.where, "FILE, FILE#NAME or directory")->required();
+  page.add_flag("--json", arguments.json, "As JSON");
+  add_reading_option(page, arguments.reading);
+}
+
 }  // namespace
 
 Verb add_info(CLI::App& program) {
-  CLI::App* page = program.add_subcommand(
-      "info", "Describe instances: size, contacts, rank, condition, ties, scales, provenance");
-  auto arguments = std::make_shared<InfoArguments>();
-  page->add_option("INSTANCE", arguments->where, "FILE, FILE#NAME or directory")->required();
-  page->add_flag("--json", arguments->json, "As JSON");
-  add_reading_option(*page, arguments->reading);
-  page->footer("Example:\n  lcpbench info squat.hdf5#squat-like/0003");
-  return {page, [arguments] { return info(*arguments); }};
+  return make_verb<InfoArguments>(
+      program, "info",
+      "Describe instances: size, contacts, rank, condition, ties, scales, provenance", info_options,
+      info, "Example:\n  lcpbench info squat.hdf5#squat-like/0003");
 }
 
 }  // namespace lcp::cli

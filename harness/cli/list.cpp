@@ -1,11 +1,11 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include <memory>
+#include <map>
 #include <nlohmann/json.hpp>
 
+#include "harness/cli/page.h"
 #include "harness/cli/quantity.h"
-#include "harness/cli/verbs.h"
 #include "harness/runs/history.h"
 #include "harness/studies/suites.h"
 #include "problems/scenes/scene.h"
@@ -17,7 +17,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-Json to_json(const OptionTable& table) {
+Json to_json(OptionTable table) {
   Json json = Json::array();
   for (const Option& option : table)
     json.push_back({{"name", option.name},
@@ -37,80 +37,68 @@ void print(const OptionTable& table) {
   }
 }
 
-void list_solvers(bool json) {
+/// What is said of a row besides its name, summary, source and options.
+struct RowRemarks {
+  Json json = Json::object();
+  std::string text = {};  ///< Lines.
+};
+
+/// Prints the rows of a registry, or gathers them; `remarks` says what is particular about one.
+template <class Rows, class Remarks>
+Json list_rows(const Rows& rows, bool json, const Remarks& remarks) {
   Json all = Json::array();
-  for (const Row& row : registry()) {
-    const std::unique_ptr<Solver> solver = row.make();
-    const bool pivoting = row.info.kind == RowInfo::Kind::pivoting;
-    if (json) {
-      all.push_back({{"name", row.info.name},
-                     {"summary", row.info.summary},
-                     {"source", row.info.source},
-                     {"kind", pivoting ? "pivoting" : "iterative"},
-                     {"version", row.info.version},
-                     {"supports", row.info.supports},
-                     {"library", row.info.outside_library},
-                     {"library_constants", row.info.outside_constants},
-                     {"options", to_json(solver->options())}});
-      continue;
-    }
-    fmt::print("{}\n    {}\n    Source: {}\n    Supports: {}\n", row.info.name, row.info.summary,
-               row.info.source, row.info.supports);
-    if (row.info.peer())
-      fmt::print("    Peer: {}\n    Its own tolerances: {}\n", row.info.outside_library,
-                 row.info.outside_constants);
-    print(solver->options());
+  for (const auto& row : rows) {
+    const auto made = row.make();
+    const RowRemarks more = remarks(row.info);
+    Json& object = all.emplace_back(
+        Json{{"name", row.info.name}, {"summary", row.info.summary}, {"source", row.info.source}});
+    object.update(more.json);
+    object["options"] = to_json(made->options());
+    if (json) continue;
+    fmt::print("{}\n    {}\n    Source: {}\n{}", row.info.name, row.info.summary, row.info.source,
+               more.text);
+    print(made->options());
     fmt::print("\n");
   }
-  if (json) {
-    Json absent = Json::array();
-    for (const AbsentPeer& peer : absent_peers())
-      absent.push_back(
-          {{"name", peer.name}, {"library", peer.outside_library}, {"package", peer.package}});
-    fmt::print("{}\n", Json{{"solvers", all}, {"absent", absent}}.dump(1));
-    return;
-  }
-  for (const AbsentPeer& peer : absent_peers())
-    fmt::print("{}\n    Peer, not built in: {}, Debian package {}\n\n", peer.name,
-               peer.outside_library, peer.package);
+  return all;
 }
 
-void list_families(bool json) {
-  Json all = Json::array();
-  for (const FamilyRow& row : families()) {
-    const std::unique_ptr<Family> family = row.make();
-    if (json) {
-      all.push_back({{"name", row.info.name},
-                     {"summary", row.info.summary},
-                     {"source", row.info.source},
-                     {"default_count", row.info.default_count},
-                     {"options", to_json(family->options())}});
-      continue;
-    }
-    fmt::print("{}\n    {}\n    Source: {}\n    {} instances unless --count says otherwise\n",
-               row.info.name, row.info.summary, row.info.source, row.info.default_count);
-    print(family->options());
-    fmt::print("\n");
-  }
-  if (json) fmt::print("{}\n", Json{{"families", all}}.dump(1));
+RowRemarks remarks_on(const RowInfo& row) {
+  RowRemarks more{{{"kind", row.kind == RowInfo::Kind::pivoting ? "pivoting" : "iterative"},
+                   {"version", row.version},
+                   {"supports", row.supports},
+                   {"library", row.outside_library},
+                   {"library_constants", row.outside_constants}},
+                  fmt::format("    Supports: {}\n", row.supports)};
+  if (row.peer())
+    more.text += fmt::format("    Peer: {}\n    Its own tolerances: {}\n", row.outside_library,
+                             row.outside_constants);
+  return more;
 }
 
-void list_scenes(bool json) {
-  Json all = Json::array();
-  for (const SceneRow& row : scenes()) {
-    const std::unique_ptr<Scene> scene = row.make();
-    if (json) {
-      all.push_back({{"name", row.info.name},
-                     {"summary", row.info.summary},
-                     {"source", row.info.source},
-                     {"options", to_json(scene->options())}});
-      continue;
-    }
-    fmt::print("{}\n    {}\n    Source: {}\n", row.info.name, row.info.summary, row.info.source);
-    print(scene->options());
-    fmt::print("\n");
+Json list_solvers(bool json) {
+  Json absent = Json::array();
+  const Json all = list_rows(registry(), json, remarks_on);
+  for (const AbsentPeer& peer : absent_peers()) {
+    absent.push_back(
+        {{"name", peer.name}, {"library", peer.outside_library}, {"package", peer.package}});
+    if (!json)
+      fmt::print("{}\n    Peer, not built in: {}, Debian package {}\n\n", peer.name,
+                 peer.outside_library, peer.package);
   }
-  if (json) fmt::print("{}\n", Json{{"scenes", all}}.dump(1));
+  return {{"solvers", all}, {"absent", absent}};
+}
+
+Json list_families(bool json) {
+  return {{"families", list_rows(families(), json, [](const FamilyInfo& info) {
+             return RowRemarks{{{"default_count", info.default_count}},
+                               fmt::format("    {} instances unless --count says otherwise\n",
+                                           info.default_count)};
+           })}};
+}
+
+Json list_scenes(bool json) {
+  return {{"scenes", list_rows(scenes(), json, [](const SceneInfo&) { return RowRemarks{}; })}};
 }
 
 /// The most recent of `runs` that measured the suite as it is, cold; null when there is none.
@@ -123,20 +111,18 @@ const PastRun* last_run_of(const Suite& suite, const std::vector<PastRun>& runs)
   return nullptr;
 }
 
-void list_suites(bool json) {
+Json list_suites(bool json) {
   Json all = Json::array();
   const std::vector<PastRun> runs = past_runs({"runs", "results"});
   for (const Suite& suite : suites()) {
     const PastRun* last = last_run_of(suite, runs);
-    if (json) {
-      all.push_back({{"name", suite.name},
-                     {"summary", suite.summary},
-                     {"instances", size(suite)},
-                     {"solvers", suite.solvers},
-                     {"last_seconds", last ? Json(*last->settings.seconds) : Json()},
-                     {"last_run", last ? Json(last->directory.string()) : Json()}});
-      continue;
-    }
+    all.push_back({{"name", suite.name},
+                   {"summary", suite.summary},
+                   {"instances", size(suite)},
+                   {"solvers", suite.solvers},
+                   {"last_seconds", last ? Json(*last->settings.seconds) : Json()},
+                   {"last_run", last ? Json(last->directory.string()) : Json()}});
+    if (json) continue;
     fmt::print("{}\n    {}\n    {} instances, {} solvers, {} pairs\n", suite.name, suite.summary,
                size(suite), suite.solvers.size(),
                size(suite) * static_cast<Index>(suite.solvers.size()));
@@ -151,7 +137,7 @@ void list_suites(bool json) {
                  part.every > 1 ? fmt::format(", one in {}", part.every) : std::string());
     fmt::print("\n");
   }
-  if (json) fmt::print("{}\n", Json{{"suites", all}}.dump(1));
+  return {{"suites", all}};
 }
 
 struct ListArguments {
@@ -159,25 +145,29 @@ struct ListArguments {
   bool json = false;
 };
 
+const std::map<std::string, Json (*)(bool)> lists = {{"solvers", list_solvers},
+                                                     {"families", list_families},
+                                                     {"scenes", list_scenes},
+                                                     {"suites", list_suites}};
+
 int list(const ListArguments& arguments) {
-  if (arguments.what == "solvers") list_solvers(arguments.json);
-  if (arguments.what == "families") list_families(arguments.json);
-  if (arguments.what == "scenes") list_scenes(arguments.json);
-  if (arguments.what == "suites") list_suites(arguments.json);
+  const Json all = lists.at(arguments.what)(arguments.json);
+  if (arguments.json) fmt::print("{}\n", all.dump(1));
   return done;
+}
+
+void list_options(CLI::App& page, ListArguments& arguments) {
+  add(page, "WHAT", arguments.what, "solvers, families, scenes or suites",
+      CLI::IsMember({"solvers", "families", "scenes", "suites"}))
+      ->required();
+  page.add_flag("--json", arguments.json, "As JSON");
 }
 
 }  // namespace
 
 Verb add_list(CLI::App& program) {
-  CLI::App* page = program.add_subcommand("list", "Print what there is, with options and sources");
-  auto arguments = std::make_shared<ListArguments>();
-  page->add_option("WHAT", arguments->what, "solvers, families, scenes or suites")
-      ->required()
-      ->check(CLI::IsMember({"solvers", "families", "scenes", "suites"}));
-  page->add_flag("--json", arguments->json, "As JSON");
-  page->footer("Example:\n  lcpbench list solvers");
-  return {page, [arguments] { return list(*arguments); }};
+  return make_verb<ListArguments>(program, "list", "Print what there is, with options and sources",
+                                  list_options, list, "Example:\n  lcpbench list solvers");
 }
 
 }  // namespace lcp::cli

@@ -143,7 +143,7 @@ int measure(const Measurement& measurement, std::vector<NamedSolver> solvers,
         [&](const Progress& progress) { bar.update(progress); }, interrupted);
   }
   if (measurement.resume)
-    fmt::print(stderr, "{} rows stood there, {} are new\n", report.rows_before, report.rows);
+    fmt::print(stderr, "{} rows were there, {} are new\n", report.rows_before, report.rows);
   if (interrupted) {
     fmt::print(stderr,
                "interrupted: {} of {} rows are in {}; the same command with --resume goes on\n",

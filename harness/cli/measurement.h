@@ -10,7 +10,7 @@
 
 namespace lcp::cli {
 
-/// What `run` and `sweep` have in common: on which instances, how far, and where the rows go.
+/// Options that `run` and `sweep` have in common: on which instances, how far, and where the rows go.
 struct Measurement {
   std::string suite;
   std::vector<std::string> corpora;
@@ -29,10 +29,10 @@ struct Measurement {
   std::string out;
 };
 
-/// How far a solve may go and what counts as solved: --tolerance, --timeout, --memory, --jobs and
-/// --max-contacts, of a verb's page,
+/// Adds --tolerance, --timeout, --memory, --jobs and --max-contacts to a verb's page.
 void add_limits(CLI::App& page, Measurement& measurement);
-/// and in its plan; max_contacts is left alone where it is not given. Throws std::invalid_argument.
+/// Sets the same in its plan; max_contacts is left alone where it is not given. Throws
+/// std::invalid_argument.
 void set_limits(RunPlan& plan, const Measurement& measurement);
 
 /// Adds the options of `measurement` to a verb's page.

@@ -3,9 +3,8 @@
 #include <fmt/format.h>
 
 #include <cstdio>
-#include <memory>
 
-#include "harness/cli/verbs.h"
+#include "harness/cli/page.h"
 #include "harness/studies/sheet/sheet_files.h"
 #include "harness/studies/table/table.h"
 
@@ -33,21 +32,22 @@ int merge_runs(const MergeArguments& arguments) {
   return done;
 }
 
+void merge_options(CLI::App& page, MergeArguments& arguments) {
+  page.add_option("DIR", arguments.directories, "Run directories, then the new one: DIR... OUT")
+      ->required()
+      ->expected(2, CLI::detail::expected_max_vector_size);
+  page.add_flag("--mixed", arguments.options.mixed,
+                "Join rows of different commits or environments too");
+}
+
 }  // namespace
 
 Verb add_merge(CLI::App& program) {
-  CLI::App* page = program.add_subcommand("merge", "Join runs, as of shards, into one");
-  auto arguments = std::make_shared<MergeArguments>();
-  page->add_option("DIR", arguments->directories, "Run directories, then the new one: DIR... OUT")
-      ->required()
-      ->expected(2, CLI::detail::expected_max_vector_size);
-  page->add_flag("--mixed", arguments->options.mixed,
-                 "Join rows of different commits or environments too");
-  page->footer(
+  return make_verb<MergeArguments>(
+      program, "merge", "Join runs, as of shards, into one", merge_options, merge_runs,
       "Refused: runs that were asked for different things, and a pair that has two rows.\n"
       "Example:\n"
       "  lcpbench merge runs/small-1of2 runs/small-2of2 runs/small");
-  return {page, [arguments] { return merge_runs(*arguments); }};
 }
 
 }  // namespace lcp::cli

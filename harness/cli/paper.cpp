@@ -12,7 +12,6 @@
 #include "harness/studies/paper/choices.h"
 #include "harness/studies/paper/paper_figures.h"
 #include "harness/studies/paper/reproduce.h"
-#include "harness/studies/paper/scene_table.h"
 #include "harness/studies/paper/table_pictures.h"
 #include "harness/studies/paper/written_forms.h"
 #include "problems/io/replace_file.h"
@@ -33,18 +32,16 @@ struct PaperArguments {
   std::string limit = "10min";
 };
 
-Reproduction reproduction(const PaperArguments& arguments, const std::string& name, int jobs) {
-  Reproduction how;
-  how.directory = arguments.out + "/" + name;
-  how.jobs = arguments.jobs.value_or(jobs);
-  how.note = [](const std::string& line) { fmt::print(stderr, "{}\n", line); };
-  return how;
-}
-
 int say_interrupted(const std::filesystem::path& directory) {
   fmt::print(stderr, "interrupted: what is finished is in {}; the same command goes on\n",
              directory.string());
   return interrupted_by_user;
+}
+
+Reproduction reproduction(const PaperArguments& arguments, const std::string& name, int jobs) {
+  return {.directory = arguments.out + "/" + name,
+          .jobs = arguments.jobs.value_or(jobs),
+          .note = [](const std::string& line) { fmt::print(stderr, "{}\n", line); }};
 }
 
 /// Prints what `compute` made in `how`'s directory and writes it beside that directory in each
@@ -59,78 +56,49 @@ int print(Reproduction how, const PaperArguments& arguments, const Compute& comp
     made = compute(how, interrupted);
   }
   if (!made) return say_interrupted(how.directory);
-  const auto rendered = [&](TableFormat format) { return render(*made, format); };
+  const PaperPage page = page_of(*made);
+  const auto rendered = [&](TableFormat format) { return render(page, format); };
   fmt::print("{}", rendered(table_formats().at(arguments.format)));
   std::fflush(stdout);
   const std::string stem = how.directory.string() + (arguments.all_solvers ? "-all-solvers" : "");
   write_each_format(stem, rendered);
-  draw_dots(stem + ".svg", picture_of(*made));
+  draw_figure(stem + ".svg", figure_of(picture_of(*made)));
   fmt::print(stderr,
              "written as {}.txt, .csv, .json, .tex and .svg; all that it comes from is in {}\n",
              stem, how.directory.string());
   return done;
 }
 
-/// What is still to be computed.
-template <class Plan>
-int print_missing(const Plan& plan, const Reproduction& how) {
+int print_table(const PaperArguments& arguments) {
+  const double limit =
+      std::chrono::duration<double>(parse_duration(arguments.limit, "--limit")).count();
+  const PaperPlan plan = paper_plan(arguments.table, arguments.all_solvers, limit);
+  const Reproduction how =
+      reproduction(arguments, fmt::format("table{}", arguments.table), plan.jobs);
+  if (!arguments.dry_run)
+    return print(how, arguments, [&](const Reproduction& with, const auto& interrupted) {
+      return reproduce(plan, with, interrupted);
+    });
   for (const std::string& line : missing_work(plan, how)) fmt::print("{}\n", line);
   return done;
 }
 
-int print_scenes(const PaperArguments& arguments) {
-  ScenePlan plan = scene_plan(arguments.all_solvers);
-  plan.limit = std::chrono::duration<double>(parse_duration(arguments.limit, "--limit")).count();
-  const Reproduction how = reproduction(arguments, "table3", plan.jobs);
-  if (arguments.dry_run) return print_missing(plan, how);
-  return print(how, arguments, [&](const Reproduction& with, const std::atomic<bool>& interrupted) {
-    return simulate_scenes(plan, with, interrupted);
-  });
-}
-
-int print_table(const PaperArguments& arguments) {
-  if (arguments.table == 3) return print_scenes(arguments);
-  const PaperPlan plan = paper_plan(arguments.table, arguments.all_solvers);
-  const Reproduction how =
-      reproduction(arguments, fmt::format("table{}", arguments.table), plan.jobs);
-  if (arguments.dry_run) return print_missing(plan, how);
-  return print(how, arguments, [&](const Reproduction& with, const std::atomic<bool>& interrupted) {
-    return reproduce(plan, with, interrupted);
-  });
-}
-
 int print_choices(const PaperArguments& arguments) {
   return print(reproduction(arguments, "choices", 2), arguments,
-               [](const Reproduction& with, const std::atomic<bool>& interrupted) {
-                 return decide_each_way(with, std::nullopt, interrupted);
+               [](const Reproduction& with, const auto& interrupted) {
+                 return decide_each_way(with, interrupted);
                });
 }
 
-std::size_t steps_of(const NamedScene& scene) {
-  return static_cast<std::size_t>(std::lround(scene.setup.duration / scene.setup.stepping.dt));
-}
-
-LoopSummary summary_of(const LoopRun& run, const NamedScene& scene) {
-  return summarise(run, scene.setup.system.model.mass(), scene.setup.system.gravity);
-}
-
-/// Prints what ran for a figure, or its data, and writes the forms of it that are no picture.
-int tell_of_figure(const PaperArguments& arguments, const std::vector<LoopSummary>& runs) {
-  const std::string stem = fmt::format("{}/fig{}", arguments.out, arguments.figure);
-  for (const auto& [ending, format] :
-       {std::pair(".json", TableFormat::json), {".tex", TableFormat::latex}})
-    replace_file(stem + ending, render_figure(arguments.figure, runs, format));
-  const TableFormat format = table_formats().at(arguments.format);
-  fmt::print("{}", format == TableFormat::csv
-                       ? read_text(stem + ".csv", "the figure's data", longest_file)
-                       : render_figure(arguments.figure, runs, format));
-  std::fflush(stdout);
-  fmt::print(stderr, "figure, script and data are {}.svg, .gp, .dat, .csv, .json and .tex\n", stem);
-  return done;
-}
-
-int draw_figure_4(const PaperArguments& arguments) {
-  const std::vector<FilmedScene> filmed = figure_4_scenes();
+/// Draws a figure and prints what ran for it, or its data.
+int draw_paper_figure(const PaperArguments& arguments) {
+  const int figure = arguments.figure;
+  std::vector<FilmedScene> filmed;
+  if (figure == 4) {
+    filmed = figure_4_scenes();
+  } else {
+    filmed.push_back({make_scene(figure == 2 ? "squat" : "tap-dance"), {}});
+  }
   std::size_t done_steps = 0, steps = 0;
   for (const FilmedScene& film : filmed) steps += steps_of(film.scene);
   const std::atomic<bool>& interrupted = catch_interruptions();
@@ -138,34 +106,33 @@ int draw_figure_4(const PaperArguments& arguments) {
   {
     ProgressBar bar;
     const FrameLook look = [&](const Simulation&, const Frame&, const FrameRecord&) {
-      bar.update({++done_steps, steps, "figure 4"});
+      bar.update({++done_steps, steps, fmt::format("figure {}", figure)});
     };
-    runs = write_figure_4(arguments.out, filmed, make_solver("best-first"), {}, look, interrupted);
+    const NamedSolver solver = make_solver("best-first");
+    if (figure == 4)
+      runs = write_figure_4(arguments.out, filmed, solver, {}, look, interrupted);
+    else
+      runs.push_back(write_figure(figure, arguments.out, filmed.front().scene, solver, {}, look,
+                                  interrupted));
   }
   if (interrupted) return say_interrupted(arguments.out);
-  std::vector<LoopSummary> summaries;
-  for (std::size_t i = 0; i < runs.size(); ++i)
-    summaries.push_back(summary_of(runs[i], filmed[i].scene));
-  return tell_of_figure(arguments, summaries);
-}
 
-int draw_figure(const PaperArguments& arguments) {
-  if (arguments.figure == 4) return draw_figure_4(arguments);
-  const std::filesystem::path directory = arguments.out;
-  const NamedScene scene = make_scene(arguments.figure == 2 ? "squat" : "tap-dance");
-  const auto draw = arguments.figure == 2 ? write_figure_2 : write_figure_3;
-  const std::atomic<bool>& interrupted = catch_interruptions();
-  LoopRun run;
-  {
-    ProgressBar bar;
-    const std::size_t steps = steps_of(scene);
-    const FrameLook look = [&](const Simulation&, const Frame&, const FrameRecord& record) {
-      bar.update({static_cast<std::size_t>(record.frame), steps, scene.spelling});
-    };
-    run = draw(directory, scene, make_solver("best-first"), {}, look, interrupted);
+  std::vector<LoopSummary> summaries;
+  for (std::size_t i = 0; i < runs.size(); ++i) {
+    const SceneSetup& setup = filmed[i].scene.setup;
+    summaries.push_back(summarise(runs[i], setup.system.model.mass(), setup.system.gravity));
   }
-  if (interrupted) return say_interrupted(directory);
-  return tell_of_figure(arguments, {summary_of(run, scene)});
+  const std::string stem = fmt::format("{}/fig{}", arguments.out, figure);
+  for (const auto& [ending, format] :
+       {std::pair(".json", TableFormat::json), {".tex", TableFormat::latex}})
+    replace_file(stem + ending, render_figure(figure, summaries, format));
+  const TableFormat format = table_formats().at(arguments.format);
+  fmt::print("{}", format == TableFormat::csv
+                       ? read_text(stem + ".csv", "the figure's data", longest_file)
+                       : render_figure(figure, summaries, format));
+  std::fflush(stdout);
+  fmt::print(stderr, "figure, script and data are {}.svg, .gp, .dat, .csv, .json and .tex\n", stem);
+  return done;
 }
 
 /// Every table and figure, and the choices; the first that fails or is interrupted ends it.
@@ -179,7 +146,7 @@ int reproduce_all(PaperArguments arguments) {
   }
   if (const int status = print_choices(arguments); status != done) return status;
   for (arguments.figure = 2; arguments.figure <= 4; ++arguments.figure)
-    if (const int status = draw_figure(arguments); status != done) return status;
+    if (const int status = draw_paper_figure(arguments); status != done) return status;
   return done;
 }
 
@@ -188,7 +155,7 @@ int reproduce_paper(const PaperArguments& arguments) {
     throw std::invalid_argument("--dry-run: expected --table or --all with it");
   if (arguments.all) return reproduce_all(arguments);
   if (arguments.choices) return print_choices(arguments);
-  if (arguments.figure != 0) return draw_figure(arguments);
+  if (arguments.figure != 0) return draw_paper_figure(arguments);
   if (arguments.table != 0) return print_table(arguments);
   throw std::invalid_argument("expected one of --table, --figure, --choices, --all");
 }

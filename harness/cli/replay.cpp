@@ -40,7 +40,7 @@ ReplayOptions with_window(const ReplayArguments& arguments) {
 int replay_instance(const ReplayArguments& arguments) {
   const NamedSolver solver = make_solver(arguments.solver);
   const Instance instance = read_instance(arguments.where, arguments.reading);
-  const StartKind start = start_kind_from_string(arguments.start);
+  const StartKind start = from_string<StartKind>(arguments.start);
   ReplayOptions options = with_window(arguments);
   const std::atomic<bool>& interrupted = catch_interruptions();
   options.high.interrupted = &interrupted;

@@ -11,9 +11,10 @@ namespace {
 struct RunArguments {
   Measurement measurement;
   std::vector<std::string> solvers;
+  std::vector<std::string> added;
 };
 
-/// What a run of a corpus is called: the file's name without its ending, or the directory's.
+/// Name of a run of a corpus: the file's name without its ending, or the directory's.
 std::string stem(const std::filesystem::path& corpus) {
   return (corpus.has_filename() ? corpus : corpus.parent_path()).stem().string();
 }
@@ -21,13 +22,9 @@ std::string stem(const std::filesystem::path& corpus) {
 int run_suite_or_corpora(const RunArguments& arguments) {
   const std::string suite = suite_name(arguments.measurement);
   std::vector<std::string> solvers = arguments.solvers;
-  if (solvers.empty()) {
-    if (suite.empty()) {
-      solvers = {"own"};
-    } else {
-      solvers = find_suite(suite).solvers;
-    }
-  }
+  if (solvers.empty())
+    solvers = suite.empty() ? std::vector<std::string>{"own"} : find_suite(suite).solvers;
+  solvers.insert(solvers.end(), arguments.added.begin(), arguments.added.end());
   const std::string name = suite.empty() ? stem(arguments.measurement.corpora.front()) : suite;
   return measure(arguments.measurement, make_solvers(solvers), "runs/" + name);
 }
@@ -35,6 +32,7 @@ int run_suite_or_corpora(const RunArguments& arguments) {
 void run_options(CLI::App& page, RunArguments& arguments) {
   add(page, "--solver", arguments.solvers,
       "NAME[:key=value,...], pattern, own or all; repeatable. Default: the suite's, or own");
+  add(page, "--add", arguments.added, "The same, beside those of --solver or the suite");
   add_options(page, arguments.measurement);
 }
 

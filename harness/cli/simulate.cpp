@@ -1,13 +1,12 @@
 #include <fmt/format.h>
 
 #include <charconv>
-#include <memory>
 #include <optional>
 
 #include "harness/cli/interrupt.h"
 #include "harness/cli/loop_options.h"
+#include "harness/cli/page.h"
 #include "harness/cli/progress.h"
-#include "harness/cli/verbs.h"
 #include "harness/present/scenes/scene_picture.h"
 #include "harness/studies/loop/summary.h"
 #include "problems/io/errors.h"
@@ -34,13 +33,11 @@ std::vector<double> picture_times(const std::vector<std::string>& at, double dur
   if (at.empty()) return evenly_spread(duration, 3);
   std::vector<double> times;
   for (const std::string& text : at) {
-    double time = 0;
     const char* end = text.data() + text.size();
-    const auto [stop, error] = std::from_chars(text.data(), end, time);
+    const auto [stop, error] = std::from_chars(text.data(), end, times.emplace_back());
     if (error != std::errc() || stop != end)
       throw std::invalid_argument(
           fmt::format("--at {}: expected numbers of seconds with commas between", text));
-    times.push_back(time);
   }
   return times;
 }
@@ -79,8 +76,7 @@ int simulate(const SimulateArguments& arguments) {
   if (!arguments.dump.empty()) dump.emplace(arguments.dump, scene.spelling, solver.spelling);
 
   const std::atomic<bool>& interrupted = catch_interruptions();
-  const std::size_t steps =
-      static_cast<std::size_t>(std::lround(scene.setup.duration / scene.setup.stepping.dt));
+  const auto steps = static_cast<std::size_t>(steps_to_make(scene));
   LoopRun run;
   {
     ProgressBar bar;
@@ -98,11 +94,7 @@ int simulate(const SimulateArguments& arguments) {
 
   const LoopSummary summary =
       summarise(run, scene.setup.system.model.mass(), scene.setup.system.gravity);
-  if (arguments.json) {
-    fmt::print("{}\n", figures_of(summary).dump(1));
-  } else {
-    fmt::print("{}", render(summary));
-  }
+  fmt::print("{}", arguments.json ? figures_of(summary).dump(1) + "\n" : render(summary));
   if (snapshots && !snapshots->taken().empty()) {
     draw_picture(scene, snapshots->taken(), arguments.picture);
     fmt::print(stderr, "{} moments are drawn in {}\n", snapshots->taken().size(),
@@ -112,32 +104,33 @@ int simulate(const SimulateArguments& arguments) {
   return interrupted ? interrupted_by_user : done;
 }
 
+void simulate_options(CLI::App& page, SimulateArguments& arguments) {
+  add(page, "SCENE", arguments.scene, "NAME[:key=value,...] (see: lcpbench list scenes)")
+      ->required();
+  add_with_default(page, "--solver", arguments.solver,
+                   "NAME[:key=value,...] that finds the forces");
+  add_loop_options(page, arguments.loop);
+  add(page, "--dump", arguments.dump,
+      "New directory for the LCPs of every frame, a corpus of HDF5 files");
+  add_with_default(page, "--every", arguments.every, "Dump one frame in so many only",
+                   CLI::PositiveNumber);
+  page.add_flag("--failed-only", arguments.failed_only,
+                "Dump only frames whose frictional LCP failed");
+  add(page, "--log", arguments.log, "File for a line of CSV per frame");
+  add(page, "--picture", arguments.picture,
+      "File (.svg) for drawings of the scene; script and data are kept beside it");
+  page.add_option("--at", arguments.at,
+                  "Times of the drawings, s. Default: the start, the middle and the end")
+      ->delimiter(',');
+  page.add_flag("--json", arguments.json, "Print the summary as JSON");
+}
+
 }  // namespace
 
 Verb add_simulate(CLI::App& program) {
-  CLI::App* page = program.add_subcommand(
-      "simulate", "Simulate a scene with a solver in the loop; dump its LCPs");
-  auto arguments = std::make_shared<SimulateArguments>();
-  page->add_option("SCENE", arguments->scene, "NAME[:key=value,...] (see: lcpbench list scenes)")
-      ->required();
-  page->add_option("--solver", arguments->solver, "NAME[:key=value,...] that finds the forces")
-      ->capture_default_str();
-  add_loop_options(*page, arguments->loop);
-  page->add_option("--dump", arguments->dump,
-                   "New directory for the LCPs of every frame, a corpus of HDF5 files");
-  page->add_option("--every", arguments->every, "Dump one frame in so many only")
-      ->check(CLI::PositiveNumber)
-      ->capture_default_str();
-  page->add_flag("--failed-only", arguments->failed_only,
-                 "Dump only frames whose frictional LCP failed");
-  page->add_option("--log", arguments->log, "File for a line of CSV per frame");
-  page->add_option("--picture", arguments->picture,
-                   "File (.svg) for drawings of the scene; script and data are kept beside it");
-  page->add_option("--at", arguments->at,
-                   "Times of the drawings, s. Default: the start, the middle and the end")
-      ->delimiter(',');
-  page->add_flag("--json", arguments->json, "Print the summary as JSON");
-  page->footer(
+  return make_verb<SimulateArguments>(
+      program, "simulate", "Simulate a scene with a solver in the loop; dump its LCPs",
+      simulate_options, simulate,
       "Where the frictional LCP fails the frictionless answer acts, and where both fail none "
       "does.\n"
       "Example:\n"
@@ -148,7 +141,6 @@ Verb add_simulate(CLI::App& program) {
       "  lcpbench simulate squat --picture squat.svg --at 0,0.25,0.5\n"
       "  lcpbench simulate tap-dance --dump runs/tap --log runs/tap.csv\n"
       "  lcpbench simulate hoist --dump runs/hoist --every 100");
-  return {page, [arguments] { return simulate(*arguments); }};
 }
 
 }  // namespace lcp::cli

@@ -22,7 +22,7 @@ struct TableArguments {
 int print_table(const TableArguments& arguments) {
   const std::vector<Record> records = read_run(arguments.directory);
   const Table table =
-      criterion_from_string(arguments.criterion) == Acceptance::Criterion::paper
+      from_string<Acceptance::Criterion>(arguments.criterion) == Acceptance::Criterion::paper
           ? make_table(records, Acceptance{Acceptance::Criterion::paper,
                                            arguments.tolerance.value_or(by_paper.tolerance)})
           : make_table(records, arguments.tolerance);

@@ -7,10 +7,10 @@
 
 namespace lcp::cli {
 
-/// What --format takes.
+/// Values of --format.
 const std::map<std::string, TableFormat>& table_formats();
 
-/// What --format and the flag --json, which stands for --format json, say together.
+/// The format that --format and the flag --json, which stands for --format json, ask for.
 TableFormat chosen_format(const std::string& format, bool json);
 
 }  // namespace lcp::cli

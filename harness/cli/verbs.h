@@ -6,7 +6,7 @@
 
 namespace lcp::cli {
 
-/// What the program tells its caller.
+/// Exit status of the program.
 enum ExitStatus {
   done = 0,
   regression = 1,  ///< A comparison or check found a regression, or a law is broken.

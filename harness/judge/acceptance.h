@@ -60,11 +60,7 @@ Judged judged(const Record& record, const std::optional<Acceptance>& acceptance 
 /// The paper's criterion with its e_max = 1e-3 (V).
 inline constexpr Acceptance by_paper{Acceptance::Criterion::paper, 1e-3};
 
-/// What a criterion compares with its tolerance.
+/// The number that a criterion compares with its tolerance.
 double error_of(const Accuracy& accuracy, Acceptance::Criterion criterion);
-
-std::string to_string(Acceptance::Criterion criterion);  ///< residual, paper.
-/// Throws std::invalid_argument with the list of criteria.
-Acceptance::Criterion criterion_from_string(const std::string& name);
 
 }  // namespace lcp

@@ -146,7 +146,7 @@ Accuracy measure(const Problem& problem, const Result& result) {
 
 Judgement judge(const Instance& instance, const Result& result, const Acceptance& acceptance) {
   const Accuracy accuracy = measure(instance.problem, result);
-  Verdict verdict = verdict_from_string(to_string(result.claim));  // Most claims stand as they are.
+  Verdict verdict = from_string<Verdict>(to_string(result.claim));  // Most claims stand as they are.
   if (result.claim == Claim::infeasible)
     verdict = judge_infeasible(
         instance, result,

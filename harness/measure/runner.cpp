@@ -7,10 +7,9 @@
 #include <memory>
 #include <stdexcept>
 
-#include "harness/measure/worker.h"
 #include "harness/judge/judge.h"
+#include "harness/measure/worker.h"
 #include "harness/observed_quantile.h"
-#include "solvers/peers/outside_call.h"
 
 namespace lcp {
 

@@ -21,7 +21,7 @@ struct Shard {
   bool operator==(const Shard&) const = default;
 };
 
-/// What is run, and how far a pair (instance, solver from a start) may go.
+/// The pairs to run, and how far a pair (instance, solver from a start) may go.
 struct RunPlan {
   std::vector<Instance> instances;
   std::vector<NamedSolver> solvers;
@@ -68,7 +68,7 @@ struct Progress {
 /// timed, which brings the problem back into the caches; a first run longer than 1 s, or with
 /// max_samples = 1, is itself the only sample. That holds for a claim that is `wrong` too: tables and
 /// sheets judge it again, by a looser tolerance or the paper's criterion, and compare its time with
-/// others'. A pair that claims none, or whose z is no vector of finite numbers, has one sample, the
+/// others'. A pair without a claimed solution, or whose z is not n finite numbers, has one sample, the
 /// time of the run that failed, first uses of memory included, and is not run again. Same input, same
 /// bits is part of what a solver promises: one whose later answer differs from its first in any field
 /// is `wrong`, and the message says why.

@@ -159,34 +159,6 @@ Result solve_from_previous(const SolveIsland& solve, const std::vector<Island>& 
 
 }  // namespace
 
-const std::vector<StartKind>& all_start_kinds() {
-  static const std::vector<StartKind> kinds = {StartKind::cold, StartKind::two_step,
-                                               StartKind::previous};
-  return kinds;
-}
-
-std::string to_string(StartKind start) {
-  switch (start) {
-    case StartKind::cold:
-      return "cold";
-    case StartKind::two_step:
-      return "two-step";
-    case StartKind::previous:
-      return "previous";
-  }
-  return "?";
-}
-
-StartKind start_kind_from_string(const std::string& name) {
-  std::vector<std::string> names;
-  for (const StartKind kind : all_start_kinds()) {
-    names.push_back(to_string(kind));
-    if (names.back() == name) return kind;
-  }
-  throw std::invalid_argument(
-      fmt::format("unknown start '{}', expected one of {}", name, fmt::join(names, ", ")));
-}
-
 Result solve_islands(const Solver& solver, const std::vector<Island>& islands, Index n,
                      const Call& call, StartKind start, const std::optional<Start>& previous) {
   const SolveIsland solve_from = [&solver](const Problem& problem, const Call& within) {

@@ -16,11 +16,6 @@ enum class StartKind {
   previous,  ///< The solution of the frame before (Instance::previous).
 };
 
-const std::vector<StartKind>& all_start_kinds();
-std::string to_string(StartKind start);
-/// Throws std::invalid_argument with the list of what is allowed.
-StartKind start_kind_from_string(const std::string& name);
-
 /// Solves the islands (at least one) of a problem of size n apart and joins their results: the claim
 /// is that of the first island that fails, else `solved`; z, w, certificate and basis are put back
 /// into the problem's rows (NaN where an island returned no z or w of its size; no basis unless every

@@ -37,7 +37,7 @@ std::string encode(const Result& result) {
 Result decode(const std::string& bytes) {
   const json object = json::from_cbor(bytes);
   Result result;
-  result.claim = claim_from_string(object.at("claim"));
+  result.claim = from_string<Claim>(object.at("claim"));
   object.at("message").get_to(result.message);
   result.z = vector(object.at("z"));
   result.w = vector(object.at("w"));

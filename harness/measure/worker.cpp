@@ -2,15 +2,12 @@
 
 #include <fcntl.h>
 #include <fmt/format.h>
-#include <sys/prctl.h>
-#include <sys/resource.h>
 #include <sys/socket.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
 #include <array>
 #include <cerrno>
-#include <climits>
 #include <csignal>
 #include <cstdio>
 #include <cstring>
@@ -28,7 +25,6 @@ using std::chrono::nanoseconds;
 constexpr std::size_t output_kept = 400;                   // Bytes.
 constexpr std::size_t pipe_capacity = 65536;               // Bytes, the system's default.
 constexpr auto look_every = std::chrono::milliseconds(5);  // At resident memory.
-constexpr int worker_socket = 3;  // In the child, beside stdin, stdout and stderr.
 
 /// What a worker sends ahead of the bytes of a result, or of the text of an exception.
 struct Header {
@@ -43,43 +39,6 @@ std::int64_t resident_bytes(pid_t pid) {
   std::int64_t total = 0, resident = 0;
   file >> total >> resident;
   return resident * sysconf(_SC_PAGESIZE);
-}
-
-[[noreturn]] void throw_errno(const char* what) {
-  throw std::system_error(errno, std::generic_category(), what);
-}
-
-/// Ends the child when the parent is no longer there to hear it.
-void send_all(const void* bytes, std::size_t size) {
-  const char* next = static_cast<const char*>(bytes);
-  while (size > 0) {
-    const ssize_t sent = send(worker_socket, next, size, MSG_NOSIGNAL);
-    if (sent < 0 && errno == EINTR) continue;
-    if (sent < 0) _exit(EXIT_FAILURE);
-    next += sent;
-    size -= static_cast<std::size_t>(sent);
-  }
-}
-
-/// Makes the forked process a worker: own group, dies with its parent, no file open but `socket`
-/// and its own standard streams.
-void isolate(pid_t parent, int socket, int output) {
-  setpgid(0, 0);
-  prctl(PR_SET_PDEATHSIG, SIGKILL);
-  if (getppid() != parent) _exit(EXIT_FAILURE);
-  const rlimit no_core{0, 0};  // Writing one would count as time to failure.
-  setrlimit(RLIMIT_CORE, &no_core);
-  std::signal(SIGINT, SIG_DFL);
-  std::signal(SIGTERM, SIG_DFL);
-  // First out of the way of 0 ... 3, of which some are free when the parent has closed its own.
-  const int high_socket = fcntl(socket, F_DUPFD, worker_socket + 1);
-  const int high_output = fcntl(output, F_DUPFD, worker_socket + 1);
-  const int nothing = fcntl(open("/dev/null", O_RDONLY), F_DUPFD, worker_socket + 1);
-  dup2(nothing, STDIN_FILENO);
-  dup2(high_output, STDOUT_FILENO);
-  dup2(high_output, STDERR_FILENO);
-  dup2(high_socket, worker_socket);
-  close_range(worker_socket + 1, UINT_MAX, 0);
 }
 
 /// An answer, or the text of what was thrown instead.
@@ -108,10 +67,14 @@ Reply reply_of(const std::function<Result()>& solve) {
 }
 
 /// One timed solve per byte that arrives, until the parent hangs up.
-[[noreturn]] void serve(const std::function<Result()>& solve, nanoseconds warm_up_below) {
+void serve(const std::function<Result()>& solve, nanoseconds warm_up_below) {
+  constexpr int socket = ChildProcess::channel;
+  const auto say = [](const void* bytes, std::size_t size) {  // or end: the parent has gone
+    if (!write_all(socket, {static_cast<const char*>(bytes), size})) _exit(EXIT_FAILURE);
+  };
   char go;
   nanoseconds last = warm_up_below;
-  while (recv(worker_socket, &go, 1, 0) == 1) {
+  while (recv(socket, &go, 1, 0) == 1) {
     std::optional<Reply> untimed;
     if (last < warm_up_below) untimed = reply_of(solve);
     Reply reply = reply_of(solve);
@@ -119,10 +82,9 @@ Reply reply_of(const std::function<Result()>& solve) {
     // The parent compares each answer with the first: of two here it gets the one that may differ.
     if (untimed && untimed->bytes != reply.bytes) reply = *untimed;
     const Header header{reply.bytes.size(), reply.time.count(), reply.threw};
-    send_all(&header, sizeof header);
-    send_all(reply.bytes.data(), reply.bytes.size());
+    say(&header, sizeof header);
+    say(reply.bytes.data(), reply.bytes.size());
   }
-  _exit(EXIT_SUCCESS);  // Neither destructors nor buffers of the parent's are this process's.
 }
 
 }  // namespace
@@ -130,29 +92,21 @@ Reply reply_of(const std::function<Result()>& solve) {
 Worker::Worker(const std::function<Result()>& solve, const Limits& limits,
                const std::function<void()>& prepare)
     : limits_(limits) {
-  int sockets[2], pipes[2];
-  if (socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, sockets) != 0) throw_errno("socketpair");
+  int sockets[2];
+  if (socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, sockets) != 0)
+    throw std::system_error(errno, std::generic_category(), "socketpair");
   socket_ = FileDescriptor(sockets[0]);
-  const FileDescriptor child_socket(sockets[1]);
-  if (pipe2(pipes, O_CLOEXEC | O_NONBLOCK) != 0) throw_errno("pipe");
-  output_ = FileDescriptor(pipes[0]);
-  const FileDescriptor child_output(pipes[1]);
-  fcntl(child_output.get(), F_SETFL, 0);  // The child's end waits when the pipe is full.
-
-  std::fflush(nullptr);  // What is buffered now would otherwise be printed by the child as well.
-  const pid_t parent = getpid();
-  pid_ = fork();
-  if (pid_ < 0) throw_errno("fork");
-  if (pid_ == 0) {
-    isolate(parent, child_socket.get(), child_output.get());
+  const FileDescriptor childs_socket(sockets[1]);
+  Pipe output = make_pipe();
+  output_ = std::move(output.reading);
+  fcntl(output_.get(), F_SETFL, O_NONBLOCK);  // The child's end waits when the pipe is full.
+  const int printed = output.writing.get();
+  process_ = ChildProcess({childs_socket.get(), printed, printed}, [&] {
     prepare();
     serve(solve, limits.warm_up_below);
-  }
-  setpgid(pid_, pid_);  // Here too: whichever process comes first.
-  resident_at_start_ = resident_bytes(pid_);
+  });
+  resident_at_start_ = resident_bytes(process_.pid());
 }
-
-Worker::~Worker() { stop(); }
 
 void Worker::ask() {
   received_.clear();
@@ -174,7 +128,7 @@ std::optional<Outcome> Worker::check() {
         fmt::format("no answer within {} s", std::chrono::duration<double>(limits_.time).count()));
   if (now - looked_ < look_every) return std::nullopt;
   looked_ = now;
-  const std::int64_t grown = resident_bytes(pid_) - resident_at_start_;
+  const std::int64_t grown = resident_bytes(process_.pid()) - resident_at_start_;
   if (grown > limits_.resident_bytes)
     return end(Outcome::How::overgrown,
                fmt::format("resident memory grew by {} MiB, the limit is {} MiB", grown >> 20,
@@ -235,32 +189,19 @@ Outcome Worker::read_frame() {
 
 Outcome Worker::end(Outcome::How how, const std::string& message) {
   const nanoseconds time = Clock::now() - asked_;
-  stop();
+  process_.stop();
   drain_output();
   return {.how = how, .time_ns = time.count(), .message = message, .exit_signal = SIGKILL};
 }
 
 Outcome Worker::death() {
   const nanoseconds time = Clock::now() - asked_;
-  const int status = stop();
-  const int signal = WIFSIGNALED(status) ? WTERMSIG(status) : 0;
+  const int status = process_.stop();
+  const std::string how = how_it_ended(status, "died of");
   return {.how = Outcome::How::died,
           .time_ns = time.count(),
-          .message = signal ? fmt::format("died of signal {} ({})", signal, strsignal(signal))
-                            : fmt::format("exited with status {}", WEXITSTATUS(status)),
-          .exit_signal = signal};
-}
-
-/// Kills the group, waits for the process and returns its wait status. A process that is already on
-/// its way out keeps the status it chose.
-int Worker::stop() {
-  if (pid_ < 0) return 0;
-  kill(-pid_, SIGKILL);
-  int status = 0;
-  while (waitpid(pid_, &status, 0) < 0 && errno == EINTR) {
-  }
-  pid_ = -1;
-  return status;
+          .message = how.empty() ? "exited with status 0" : how,
+          .exit_signal = WIFSIGNALED(status) ? WTERMSIG(status) : 0};
 }
 
 }  // namespace lcp

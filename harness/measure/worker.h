@@ -1,7 +1,6 @@
 #pragma once
 
 #include <poll.h>
-#include <sys/types.h>
 
 #include <chrono>
 #include <cstdint>
@@ -10,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "problems/io/child_process.h"
 #include "problems/io/file_descriptor.h"
 #include "solvers/result.h"
 
@@ -40,18 +40,14 @@ struct Outcome {
 };
 
 /// A child process that computes `solve` whenever it is asked to, so that hanging, crashing or
-/// eating memory ends the child alone. It reads /dev/null, what it prints is kept from the terminal,
-/// and it is in a process group of its own, so that Ctrl-C reaches only the parent. It is killed,
-/// with what it started, and reaped when this object goes, and dies with its parent.
+/// eating memory ends the child alone. What it prints is kept from the terminal.
 class Worker {
  public:
   /// Forks, and has the child call `prepare` once, outside the clock; throws std::system_error when the
   /// system refuses.
-  Worker(const std::function<Result()>& solve, const Limits& limits,
-         const std::function<void()>& prepare = [] {});
-  ~Worker();
-  Worker(const Worker&) = delete;
-  Worker& operator=(const Worker&) = delete;
+  Worker(
+      const std::function<Result()>& solve, const Limits& limits,
+      const std::function<void()>& prepare = [] {});
 
   /// Begins one solve. The one before must have ended with an answer.
   void ask();
@@ -75,12 +71,11 @@ class Worker {
   Outcome read_frame();
   Outcome end(Outcome::How how, const std::string& message);
   Outcome death();
-  int stop();
 
   Limits limits_;
-  pid_t pid_ = -1;
   FileDescriptor socket_;
   FileDescriptor output_;
+  ChildProcess process_;
   std::int64_t resident_at_start_ = 0;
   Clock::time_point asked_;
   Clock::time_point looked_;  ///< When resident memory was last read.

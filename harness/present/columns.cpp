@@ -63,7 +63,7 @@ TextColumn text_column(const CellTable& table, std::size_t place, const TextStyl
     text |= row[place].is_string();
     number |= row[place].is_number();
   }
-  column.right = number || !text;
+  column.right = table.heads[place].right || number || !text;
   for (const std::string& cell : column.cells) column.width = std::max(column.width, letters(cell));
   return column;
 }
@@ -110,6 +110,12 @@ std::string text_table(const CellTable& table, const TextStyle& style) {
   for (const std::size_t place : shown(table)) columns.push_back(text_column(table, place, style));
   if (columns.empty()) return "";
   TextColumn& names = columns.front();
+  for (std::size_t more = 1; more < style.names && columns.size() > 1; ++more) {
+    for (std::size_t line = 0; line < names.cells.size(); ++line)
+      names.cells[line] =
+          padded(names.cells[line], names.width, false) + "  " + columns[1].cells[line];
+    columns.erase(columns.begin() + 1);
+  }
   names.right = false;
   names.width = 0;
   for (const std::string& name : names.cells)

@@ -21,6 +21,7 @@ struct ColumnHead {
   double scale = 1;          ///< What a reader sees is the value times this.
   std::string latex = {};    ///< Heading in LaTeX; empty: the terminal's, or else the key.
   std::string exact = "{}";  ///< Format of a number in CSV: the shortest that reads back.
+  bool right = false;        ///< Text stands on the right, as numbers do.
   bool only_if_any = false;  ///< A terminal shows it only where a row has a value other than 0.
 };
 
@@ -74,6 +75,7 @@ struct TextStyle {
   std::size_t width = 100;  ///< Letters of a line at most; what does not fit is folded.
   std::size_t widest = 44;  ///< A longer first cell stands on a line of its own.
   std::string empty = "-";  ///< For null.
+  std::size_t names = 1;    ///< Leading columns that together name a row.
 };
 
 /// The columns with a heading, each as wide as its widest cell; the first is the name of the row and

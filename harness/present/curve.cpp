@@ -24,4 +24,17 @@ double Curve::unreached() const {
   return 1 - static_cast<double>(reached.size()) / static_cast<double>(counted);
 }
 
+std::vector<Pixels> step_corners(const Curve& curve, const LogRange& x, int columns) {
+  std::vector<Pixels> corners = {{x.low, curve.share(x.low)}};
+  for (int column = 1; column <= columns; ++column) {
+    const double at = column == columns ? x.high : x.value(column, columns);
+    const double share = curve.share(at);
+    if (share == corners.back().y) continue;
+    corners.push_back({at, corners.back().y});
+    corners.push_back({at, share});
+  }
+  corners.push_back({x.high, corners.back().y});
+  return corners;
+}
+
 }  // namespace lcp

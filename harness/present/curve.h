@@ -2,6 +2,7 @@
 
 #include <vector>
 
+#include "harness/present/tag_placement.h"
 #include "solvers/problem.h"
 
 namespace lcp {
@@ -24,5 +25,9 @@ struct Curve {
   /// The part that never rises: 1 - the last step; 1 where nothing is counted.
   double unreached() const;
 };
+
+/// The corners of a curve's steps from one end of `x` to the other, no more than `columns` of them
+/// apart: enough for a picture. Shares, not counts.
+std::vector<Pixels> step_corners(const Curve& curve, const LogRange& x, int columns);
 
 }  // namespace lcp

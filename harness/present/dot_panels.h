@@ -1,13 +1,14 @@
 #pragma once
 
-#include <filesystem>
 #include <string>
 #include <vector>
+
+#include "harness/present/figure.h"
 
 namespace lcp {
 
 struct DotSeries {
-  std::size_t style = 0;       ///< Place in the legend, which decides colour and marker.
+  std::size_t entry = 0;       ///< Place in the legend, which decides its look.
   std::vector<double> values;  ///< As the panel's rows; NaN for none.
 };
 
@@ -22,13 +23,13 @@ struct DotPanel {
 /// A picture of a table: a panel per quantity, each with its own axis.
 struct DotPage {
   std::string title;
-  std::vector<std::string> legend;
+  std::vector<LegendEntry> legend;
   std::vector<DotPanel> panels;
-  std::string caption;  ///< Below; one line.
+  std::string caption;
 };
 
-/// Writes `svg` with its script and data beside it; throws as draw_with_gnuplot does, and
-/// std::invalid_argument where a series is not as long as its panel's rows.
-void draw_dots(const std::filesystem::path& svg, const DotPage& page);
+/// The panels from left to right with the names of their rows, which stand once where neighbours have
+/// the same. Throws std::invalid_argument where a series is not as long as its panel's rows.
+Figure figure_of(const DotPage& page);
 
 }  // namespace lcp

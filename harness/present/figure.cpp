@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <set>
 #include <utility>
 
 #include "harness/present/columns.h"
@@ -14,17 +15,15 @@ namespace lcp {
 namespace {
 
 /// Okabe and Ito's, told apart by colour-blind readers too.
-constexpr std::array<Colour, 7> colours = {0x0072b2, 0xd55e00, 0x009e73, 0xcc79a7,
-                                           0xe69f00, 0x56b4e9, 0x000000};
+constexpr std::array<Colour, 7> palette_colours = {0x0072b2, 0xd55e00, 0x009e73, 0xcc79a7,
+                                                   0xe69f00, 0x56b4e9, 0x000000};
 constexpr int markers = 6, dashes = 5;
-
-std::string hex(Colour colour) { return fmt::format("#{:06x}", colour); }
 
 }  // namespace
 
 Look look_at(std::size_t k) {
   const int place = static_cast<int>(k);
-  return {colours[k % colours.size()], place % markers, place % dashes};
+  return {palette_colours[k % palette_colours.size()], place % markers, place % dashes};
 }
 
 Look look_of_solver(const std::string& row) {
@@ -39,6 +38,18 @@ Look look_of_solver(const std::string& row) {
     if (found != part.end()) break;
   }
   return look_at(place);
+}
+
+std::vector<Look> looks_of_settings(const std::vector<std::string>& rows) {
+  std::set<std::pair<Colour, int>> taken;
+  std::vector<Look> looks;
+  for (const std::string& row : rows) {
+    Look look = look_of_solver(row);
+    for (int i = 0; i < dashes && !taken.insert({look.colour, look.dash}).second; ++i)
+      look.dash = (look.dash + 1) % dashes;
+    looks.push_back(look);
+  }
+  return looks;
 }
 
 PageArea PanelGrid::area(std::size_t place) const {
@@ -80,13 +91,16 @@ std::vector<Tick> round_ticks(double low, double high, std::size_t most, Axis::S
   return ticks;
 }
 
+nlohmann::ordered_json to_json(const Look& look) {
+  return {{"colour", fmt::format("#{:06x}", look.colour)},
+          {"marker", look.marker},
+          {"dash", look.dash}};
+}
+
 nlohmann::ordered_json to_json(const Figure& figure) {
   using Json = nlohmann::ordered_json;
   constexpr const char* kinds[] = {"line", "points", "boxes", "area", "text"};
   constexpr const char* aligns[] = {"left", "centre", "right"};
-  const auto look_json = [](const Look& look) {
-    return Json{{"colour", hex(look.colour)}, {"marker", look.marker}, {"dash", look.dash}};
-  };
   const auto area_json = [](const PageArea& a) { return Json{a.left, a.width, a.top, a.height}; };
   const auto axis_json = [](const Axis& axis) {
     Json ticks = Json::array();
@@ -101,7 +115,7 @@ nlohmann::ordered_json to_json(const Figure& figure) {
     for (const Series& series : panel.series) {
       Json marks = Json::array();
       for (const Mark& m : series.marks) {
-        Json mark = {{"look", look_json(m.look)}, {"filled", m.filled}};
+        Json mark = {{"look", to_json(m.look)}, {"filled", m.filled}};
         const std::pair<const char*, double> numbers[] = {{"x", m.x},         {"y", m.y},
                                                           {"x_low", m.x_low}, {"x_high", m.x_high},
                                                           {"y_low", m.y_low}, {"y_high", m.y_high}};
@@ -125,7 +139,7 @@ nlohmann::ordered_json to_json(const Figure& figure) {
   }
   for (const LegendEntry& entry : figure.legend)
     legend.push_back({{"name", entry.name},
-                      {"look", look_json(entry.look)},
+                      {"look", to_json(entry.look)},
                       {"line", entry.line},
                       {"point", entry.point},
                       {"filled", entry.filled}});

@@ -31,6 +31,10 @@ Look look_at(std::size_t k);
 /// Rows that are not in the registry (of older runs) get the looks after its last.
 Look look_of_solver(const std::string& row);
 
+/// The looks of settings of these rows in one chart: a row's look, and where another one of that colour
+/// has its dashes, dashes that none has, as long as there are any.
+std::vector<Look> looks_of_settings(const std::vector<std::string>& rows);
+
 struct Tick {
   double at = 0;
   std::string label;
@@ -92,7 +96,7 @@ struct LegendEntry {
 };
 
 struct Figure {
-  std::string title;
+  std::string title = {};
   std::string caption = {};           ///< Below; broken into lines.
   double width = 1000, height = 600;  ///< Pixels, without the lines of the caption.
   std::vector<Panel> panels = {};
@@ -108,6 +112,7 @@ void draw_figure(const std::filesystem::path& svg, const Figure& figure);
 
 /// The figure as the page draws it.
 nlohmann::ordered_json to_json(const Figure& figure);
+nlohmann::ordered_json to_json(const Look& look);  ///< {colour: "#rrggbb", marker, dash}.
 
 /// Areas of `count` plots of one size, `abreast` in a row, in reading order; `left_of` and `above` pixels
 /// are free before each, `below` under each.

@@ -131,7 +131,7 @@ std::string axis_commands(const char* name, const Axis& axis, double length) {
       "{enhanced} font ',11'\n{grid}set {0}label {label} noenhanced{offset}\n",
       name, fmt::arg("log", log ? "set" : "unset"), fmt::arg("low", axis.low),
       fmt::arg("high", axis.high), fmt::arg("ticks", ticks),
-      fmt::arg("enhanced", axis.ticks.empty() ? "" : "noenhanced"),
+      fmt::arg("enhanced", axis.ticks.empty() ? "enhanced" : "noenhanced"),
       fmt::arg("grid", axis.grid
                            ? fmt::format("set grid {}tics lc rgb '#e6e6e6' lt 1 lw 0.8\n", name)
                            : std::string()),

@@ -5,8 +5,8 @@
 #include <string>
 #include <system_error>
 
+#include "problems/io/child_process.h"
 #include "problems/io/errors.h"
-#include "problems/io/program_output.h"
 #include "problems/io/replace_file.h"
 
 namespace lcp {

@@ -18,18 +18,23 @@ void draw_with_gnuplot(const std::filesystem::path& svg, const GnuplotPage& page
     throw std::invalid_argument(
         fmt::format("{}: expected a name without quotes and control characters", svg.string()));
   replace_file(dat.string(), page.data);
+  std::string image;
+  if (!page.image.empty()) {
+    replace_file(std::filesystem::path(svg).replace_extension(".png").string(), page.image);
+    image = fmt::format("IMAGE = '{}.png'\n", name);
+  }
   replace_file(gp.string(),
                fmt::format(R"(# {title}
 # To restyle: edit, then gnuplot {name}.gp > {name}.svg
 DATA = '{name}.dat'
-set terminal svg size {width:.0f},{height:.0f} enhanced background '#ffffff' font 'sans-serif,12'
+{image}set terminal svg size {width:.0f},{height:.0f} enhanced background '#ffffff' font 'sans-serif,12'
 set datafile missing NaN
 set multiplot
 {commands}unset multiplot
 )",
                            fmt::arg("title", fit_for_gnuplot(page.title)), fmt::arg("name", name),
-                           fmt::arg("width", page.width), fmt::arg("height", page.height),
-                           fmt::arg("commands", page.commands)));
+                           fmt::arg("image", image), fmt::arg("width", page.width),
+                           fmt::arg("height", page.height), fmt::arg("commands", page.commands)));
   run_gnuplot(gp, svg);
 }
 

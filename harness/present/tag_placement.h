@@ -10,7 +10,7 @@ struct Pixels {
   double y = 0;
 };
 
-struct Box {
+struct TagBox {
   Pixels centre;
   Pixels size;
 };
@@ -22,7 +22,7 @@ struct Box {
 ///
 /// Returns the centres of the tags, each `tag` wide and high, in the order of `markers`.
 std::vector<Pixels> place_tags(const std::vector<Pixels>& markers,
-                               const std::vector<Box>& obstacles, Pixels area, Pixels tag);
+                               const std::vector<TagBox>& obstacles, Pixels area, Pixels tag);
 
 /// Distance from a marker within which a tag needs no line that leads to it.
 double nearest_tag_distance();

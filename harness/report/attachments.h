@@ -13,8 +13,8 @@ struct Attachments {
     std::string bytes;
   };
   std::string heading;         ///< The directory, as it was named.
-  std::vector<File> pictures;  ///< Its *.svg by name,
-  std::vector<File> texts;     ///< and its *.txt.
+  std::vector<File> pictures;  ///< Its *.svg by name.
+  std::vector<File> texts;     ///< Its *.txt by name.
 };
 
 /// The pictures and texts that stand directly in a directory. Throws UnreadableInput, naming it, where

@@ -42,7 +42,7 @@ InstanceCommand origin_command(const std::string& instance, const std::string& c
 std::optional<InstanceCommand> simulated_again(const std::string& instance,
                                                const std::string& corpus);
 
-/// What picks the solver and its start on the command line: ` --solver 'lemke' --start two-step`.
+/// Options that pick the solver and its start on the command line: ` --solver 'lemke' --start two-step`.
 std::string solver_arguments(const Record& record);
 
 }  // namespace lcp

@@ -9,6 +9,9 @@
 #include <set>
 #include <tuple>
 
+#include "harness/judge/acceptance.h"
+#include "harness/present/columns.h"
+#include "harness/present/figure.h"
 #include "harness/report/origin_command.h"
 #include "harness/runs/run_directory.h"
 #include "harness/studies/table/table.h"
@@ -116,7 +119,7 @@ Gathered gather(const ReportedRun& run) {
       run.settings ? std::optional(run.settings->origin) : std::nullopt;
 
   std::map<std::string, Ordered> columns;
-  const std::vector<Verdict>& verdicts = all_verdicts();
+  const std::vector<Verdict>& verdicts = all_values<Verdict>();
   for (std::size_t row = 0; row < run.rows.size(); ++row) {
     const Record& record = run.rows[row];
     const auto [instance, new_instance] = instances({record.place, record.instance});
@@ -140,8 +143,6 @@ Gathered gather(const ReportedRun& run) {
     columns["claim"].push_back(
         decided_by_runner(record.verdict) ? Ordered() : Ordered(to_string(record.claim)));
     columns["message"].push_back(place_of_string(record.message));
-    columns["unclaimed"].push_back(record.unclaimed);
-    columns["trivial"].push_back(record.trivial);
     columns["tolerance"].push_back(record.tolerance);
     columns["signal"].push_back(record.exit_signal);
     columns["stderr"].push_back(place_of_string(record.stderr_end));
@@ -149,6 +150,10 @@ Gathered gather(const ReportedRun& run) {
     columns["environment"].push_back(record.environment);
     add_figures(record, columns, row);
   }
+  std::vector<std::string> registry_rows;
+  for (const Ordered& variant : gathered.variants) registry_rows.push_back(variant.at("row"));
+  const std::vector<Look> looks = looks_of_settings(registry_rows);
+  for (std::size_t i = 0; i < looks.size(); ++i) gathered.variants[i]["look"] = to_json(looks[i]);
   gathered.rows["count"] = run.rows.size();
   for (auto& [name, column] : columns) {
     while (column.size() < run.rows.size()) column.push_back(nullptr);
@@ -175,35 +180,73 @@ std::optional<double> own_tolerance(const std::vector<Record>& rows) {
   return same ? std::optional(first) : std::nullopt;
 }
 
-Ordered tables(const std::vector<Record>& rows) {
+/// A tolerance at which the page judges, and whether the run itself was judged at it.
+struct Level {
+  double tolerance;
+  bool own;
+
+  std::optional<Acceptance> acceptance() const {
+    return own ? std::nullopt : std::optional(Acceptance{.tolerance = tolerance});
+  }
+};
+
+std::vector<Level> levels_of(const std::vector<Record>& rows) {
   const std::optional<double> own = own_tolerance(rows);
   std::vector<double> tolerances = report_tolerances();
   if (own && std::find(tolerances.begin(), tolerances.end(), *own) == tolerances.end())
     tolerances.push_back(*own);
   std::sort(tolerances.rbegin(), tolerances.rend());
+  std::vector<Level> levels;
+  for (const double tolerance : tolerances) levels.push_back({tolerance, own == tolerance});
+  return levels;
+}
 
-  Ordered columns = Ordered::array();
-  for (const TableColumn& column : table_columns())
-    columns.push_back({{"key", column.key},
-                       {"heading", column.heading},
-                       {"meaning", column.meaning},
-                       {"number", column.number},
-                       {"always", column.always},
-                       {"of_starts", column.of_starts}});
-  Ordered judged = Ordered::array();
+/// What judged() says of every row at every tolerance, as places in a list of what it says of any.
+Ordered judgements(const std::vector<Record>& rows, const std::vector<Level>& levels) {
+  Ordered kinds = Ordered::array(), at = Ordered::array();
+  Places<std::pair<Verdict, std::pair<bool, bool>>> places;
+  for (const Level& level : levels) {
+    Ordered list = Ordered::array();
+    for (const Record& record : rows) {
+      const Judged result = judged(record, level.acceptance());
+      const auto [place, added] = places({result.verdict, {result.trivial, result.unclaimed}});
+      if (added)
+        kinds.push_back({{"verdict", to_string(result.verdict)},
+                         {"column", to_string(result.standing())},
+                         {"unclaimed", result.unclaimed},
+                         {"counted", result.counted()}});
+      list.push_back(place);
+    }
+    at.push_back(compact(std::move(list)));
+  }
+  return {{"kinds", std::move(kinds)}, {"at", std::move(at)}};
+}
+
+Ordered tables(const std::vector<Record>& rows, const std::vector<Level>& levels) {
+  Ordered judged_at = Ordered::array();
   Ordered shared;  // What stands in the first is left out of the others where it is the same.
-  for (const double tolerance : tolerances) {
-    const bool as_run = own == tolerance;
-    Ordered values = by_quantity(as_run ? make_table(rows) : make_table(rows, tolerance));
+  bool several_starts = false;
+  for (const Level& level : levels) {
+    const Table table = level.own ? make_table(rows) : make_table(rows, level.tolerance);
+    several_starts = table.several_starts;
+    Ordered values = by_quantity(table);
     if (shared.is_null()) {
       shared = values;
     } else {
       for (const auto& [key, column] : shared.items())
         if (values.contains(key) && values.at(key) == column) values.erase(key);
     }
-    judged.push_back({{"tolerance", tolerance}, {"own", as_run}, {"columns", values}});
+    judged_at.push_back(
+        {{"tolerance", level.tolerance}, {"own", level.own}, {"columns", std::move(values)}});
   }
-  return {{"columns", columns}, {"tolerances", judged}};
+  Ordered columns = Ordered::array();
+  for (const ColumnHead& column : table_columns(several_starts))
+    columns.push_back({{"key", column.key},
+                       {"heading", column.heading},
+                       {"meaning", column.meaning},
+                       {"number", column.number},
+                       {"only_if_any", column.only_if_any}});
+  return {{"columns", std::move(columns)}, {"tolerances", std::move(judged_at)}};
 }
 
 std::size_t pairs_without_a_row(const ReportedRun& run) {
@@ -284,9 +327,11 @@ std::vector<std::string> reading_notes(const ReportedRun& run) {
 
 Ordered report_data(const ReportedRun& run) {
   Gathered gathered = gather(run);
+  const std::vector<Level> levels = levels_of(run.rows);
   Ordered verdicts = Ordered::array();
-  for (const Verdict verdict : all_verdicts())
-    verdicts.push_back({{"name", to_string(verdict)}, {"column", to_string(Judged{verdict}.standing())}});
+  for (const Verdict verdict : all_values<Verdict>())
+    verdicts.push_back(
+        {{"name", to_string(verdict)}, {"column", to_string(Judged{verdict}.standing())}});
   return {{"name", run.name},
           {"program", report_program},
           {"settings", run.settings ? Ordered(json(*run.settings)) : Ordered()},
@@ -297,7 +342,8 @@ Ordered report_data(const ReportedRun& run) {
           {"variants", std::move(gathered.variants)},
           {"strings", std::move(gathered.strings)},
           {"rows", std::move(gathered.rows)},
-          {"table", tables(run.rows)}};
+          {"judgements", judgements(run.rows, levels)},
+          {"table", tables(run.rows, levels)}};
 }
 
 }  // namespace lcp

@@ -2,8 +2,8 @@
 
 #include <fmt/format.h>
 
-#include "harness/report/bundle.h"  // Written by embed_bundle.cmake at every change.
 #include "harness/present/escaping.h"
+#include "harness/report/bundle.h"  // Written by embed_bundle.cmake at every change.
 
 namespace lcp {
 

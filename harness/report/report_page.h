@@ -9,7 +9,7 @@
 
 namespace lcp {
 
-/// What the page runs and how it looks, embedded at build time (harness/report/bundle).
+/// Script and style of the page, embedded at build time (harness/report/bundle).
 std::string_view report_script();
 std::string_view report_style();
 

@@ -23,10 +23,10 @@ std::vector<PastRun> past_runs(const std::vector<std::filesystem::path>& roots);
 
 /// How long a plan will take, going by rows of past runs.
 struct Forecast {
-  std::size_t known = 0;    ///< Open pairs that a past run has measured,
-  double seconds = 0;       ///< and the time they took there, with what the runner adds.
-  std::size_t unknown = 0;  ///< Open pairs that none has.
-  double most_seconds = 0;  ///< What those take if each is stopped by the time limit.
+  std::size_t known = 0;    ///< Open pairs that a past run has measured.
+  double seconds = 0;       ///< Time those pairs took there, with the runner's overhead.
+  std::size_t unknown = 0;  ///< Open pairs that no past run has.
+  double most_seconds = 0;  ///< Time they take if each is stopped by the limit.
 };
 
 /// Each pair counts as the most recent run measured it: its repetitions, and an equal share of the

@@ -12,7 +12,7 @@
 #include <stdexcept>
 #include <system_error>
 
-#include "problems/io/program_output.h"
+#include "problems/io/child_process.h"
 
 namespace lcp {
 

@@ -17,7 +17,7 @@ namespace lcp {
 ///     rows.jsonl   a line per finished pair
 ///
 /// and the tables, sheet and pictures derived from these. Every file but rows.jsonl appears in one piece, and
-/// rows.jsonl grows by whole lines: whatever ends the program, what stands there is right.
+/// rows.jsonl grows by whole lines: whatever ends the program, the rows in it are right.
 
 /// How run_into treats a directory that exists.
 enum class Existing {
@@ -32,7 +32,7 @@ struct Expansion {
 };
 
 struct RunReport {
-  std::size_t rows_before = 0;  ///< Rows that stood there.
+  std::size_t rows_before = 0;  ///< Rows that were there before.
   std::size_t rows = 0;         ///< Rows written now.
 };
 
@@ -85,7 +85,7 @@ std::set<PairKey> pairs_done(const std::filesystem::path& directory);
 /// naming the file, where one is malformed or env.json is missing.
 std::vector<nlohmann::json> read_environments(const std::filesystem::path& directory);
 
-/// What a run directory says of its rows.
+/// A run directory's description of its rows.
 struct RunHeader {
   RunSettings settings;
   std::vector<nlohmann::json> environments;  ///< env.json, then env-*.json by name.

@@ -9,13 +9,15 @@
 #include <stdexcept>
 #include <tuple>
 
+#include "harness/fields.h"
+
 namespace lcp {
 
 namespace {
 
 using nlohmann::json;
 
-/// Reads all of `text` as a count of at least 1; 0 when it is none.
+/// Reads all of `text` as a count of at least 1; 0 when it is not one.
 Index count_in(std::string_view text) {
   Index number = 0;
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
@@ -30,6 +32,22 @@ std::string printed(const Origin& origin) {
   if (origin.limit > 0) text += fmt::format(" --limit {}", origin.limit);
   return text;
 }
+
+/// But for the schema and the shard.
+constexpr auto run_settings_fields = [](auto& settings, const auto& field) {
+  field("suite", settings.origin.suite);
+  field("corpora", settings.origin.corpora);
+  field("every", settings.origin.every);
+  field("limit", settings.origin.limit);
+  field("instances", settings.instances);
+  field("start", settings.start);
+  field("tolerance", settings.tolerance);
+  field("timeout_s", settings.timeout_s);
+  field("memory_bytes", settings.memory_bytes);
+  field("max_contacts", settings.max_contacts);
+  field("solvers", settings.solvers);
+  field("seconds", settings.seconds);
+};
 
 }  // namespace
 
@@ -73,7 +91,7 @@ void sort_rows(std::vector<Record>& rows, const std::vector<std::string>& solver
   std::map<std::string, std::size_t> turn;
   for (const std::string& solver : solvers) turn.try_emplace(solver, turn.size());
   std::map<std::string, std::size_t> start_turn;
-  for (const StartKind start : all_start_kinds())
+  for (const StartKind start : all_values<StartKind>())
     start_turn.try_emplace(to_string(start), start_turn.size());
   const auto turn_of = [](const auto& turns, const std::string& name) {
     const auto found = turns.find(name);
@@ -102,20 +120,9 @@ Shard parse_shard(const std::string& text) {
 }
 
 void to_json(json& object, const RunSettings& settings) {
-  object = {{"schema", RunSettings::schema},
-            {"suite", settings.origin.suite},
-            {"corpora", settings.origin.corpora},
-            {"every", settings.origin.every},
-            {"limit", settings.origin.limit},
-            {"instances", settings.instances},
-            {"shard", to_string(settings.shard)},
-            {"start", settings.start},
-            {"tolerance", settings.tolerance},
-            {"timeout_s", settings.timeout_s},
-            {"memory_bytes", settings.memory_bytes},
-            {"max_contacts", settings.max_contacts},
-            {"solvers", settings.solvers},
-            {"seconds", settings.seconds ? json(*settings.seconds) : json()}};
+  object = fields_to_json(settings, run_settings_fields);
+  object["schema"] = RunSettings::schema;
+  object["shard"] = to_string(settings.shard);
 }
 
 void from_json(const json& object, RunSettings& settings) {
@@ -123,23 +130,11 @@ void from_json(const json& object, RunSettings& settings) {
     if (const int found = object.at("schema"); found != RunSettings::schema)
       throw std::invalid_argument(
           fmt::format("field 'schema': {}, expected {}", found, RunSettings::schema));
-    object.at("suite").get_to(settings.origin.suite);
-    object.at("corpora").get_to(settings.origin.corpora);
-    object.at("every").get_to(settings.origin.every);
-    object.at("limit").get_to(settings.origin.limit);
-    object.at("instances").get_to(settings.instances);
     settings.shard = parse_shard(object.at("shard").get<std::string>());
-    object.at("start").get_to(settings.start);
-    object.at("tolerance").get_to(settings.tolerance);
-    object.at("timeout_s").get_to(settings.timeout_s);
-    object.at("memory_bytes").get_to(settings.memory_bytes);
-    object.at("max_contacts").get_to(settings.max_contacts);
-    object.at("solvers").get_to(settings.solvers);
-    settings.seconds.reset();
-    if (!object.at("seconds").is_null()) settings.seconds = object.at("seconds").get<double>();
   } catch (const json::exception& error) {
     throw std::invalid_argument(error.what());
   }
+  fields_from_json(object, settings, run_settings_fields, "settings of a run");
 }
 
 }  // namespace lcp

@@ -13,13 +13,13 @@ namespace lcp {
 struct Origin {
   std::string suite;                 ///< Empty when corpora are named.
   std::vector<std::string> corpora;  ///< As on the command line.
-  Index every = 1;                   ///< Every so many of each corpus are kept,
-  Index limit = 0;                   ///< and at most so many; 0 keeps all.
+  Index every = 1;                   ///< Every so many of each corpus are kept.
+  Index limit = 0;                   ///< At most so many of each corpus are kept; 0: all.
 
   bool operator==(const Origin&) const = default;
 };
 
-/// What a run was asked to do: run.json of its directory. Nothing in it is measured but `seconds`.
+/// The question of a run: run.json of its directory. Nothing in it is measured but `seconds`.
 struct RunSettings {
   static constexpr int schema = 1;
 

@@ -15,31 +15,9 @@ namespace lcp {
 
 namespace {
 
-const std::vector<std::string>& own_solvers() {
-  static const std::vector<std::string> all = {
-      "lemke",
-      "lexicographic:delta=0",
-      "lexicographic:delta=1e-8",
-      "lexicographic:delta=1e-6",
-      "lexicographic:delta=1e-4",
-      "lexicographic-pivot:delta=0",
-      "lexicographic-pivot:delta=1e-8",
-      "lexicographic-pivot:delta=1e-6",
-      "lexicographic-pivot:delta=1e-4",
-      "lemke-revised",
-      "lexicographic-revised",
-      "best-first",
-      "best-first-lexicographic",
-      "best-first-tableau:max_nodes=300",  // these two seldom end: more takes minutes
-      "best-first-uniform:max_nodes=300",
-      "projected-gauss-seidel",
-  };
-  return all;
-}
-
 /// The own rows, and every peer that is built in.
 std::vector<std::string> own_solvers_and_peers() {
-  std::vector<std::string> all = own_solvers();
+  std::vector<std::string> all = rows_in_suites();
   for (const Row& row : registry())
     if (row.info.peer()) all.push_back(row.info.name);
   return all;
@@ -183,7 +161,7 @@ Index drawn(const SuitePart& part) {
 
 const std::vector<Suite>& suites() {
   static const std::vector<Suite> all = {
-      {"contact", "every contact family in full", contact_parts(), own_solvers()},
+      {"contact", "every contact family in full", contact_parts(), rows_in_suites()},
       {"default",
        "published instances and the contact families, thinned; under two minutes on two cores",
        {{.family = "published"},
@@ -192,9 +170,9 @@ const std::vector<Suite>& suites() {
         {.family = "body-on-plane", .every = 5},
         {.family = "peg-in-hole", .every = 5},
         {.family = "stack", .every = 5}},
-       own_solvers()},
+       rows_in_suites()},
       {"full", "all of small, contact and scaling",
-       joined({small_parts(), contact_parts(), scaling_parts()}), own_solvers(), largest_scaled},
+       joined({small_parts(), contact_parts(), scaling_parts()}), rows_in_suites(), largest_scaled},
       {"paper",
        "the columns of the paper's tables, with its constants, on the families nearest to its "
        "scenes",
@@ -203,7 +181,7 @@ const std::vector<Suite>& suites() {
       {"peers", "the own solvers and every peer that is built in, on all kinds of problem, thinned",
        thinned_to(5, joined({small_parts(), contact_parts()})), own_solvers_and_peers()},
       {"scaling", "contact families and chains of 25 to 200 links, from few contacts to many",
-       scaling_parts(), own_solvers(), largest_scaled},
+       scaling_parts(), rows_in_suites(), largest_scaled},
       {"sixteen-cells",
        "pivot tolerance, arithmetic, tie order and search, each on and off",
        {{.family = "draped-chain"},
@@ -212,7 +190,7 @@ const std::vector<Suite>& suites() {
        sixteen_cells(),
        64},
       {"small", "published instances and every generated family without contacts", small_parts(),
-       own_solvers()},
+       rows_in_suites()},
   };
   return all;
 }

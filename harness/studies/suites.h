@@ -46,15 +46,15 @@ struct FamilyDraw {
   std::uint64_t seed = 1;
 };
 
-/// How a suite draws the family with this full spelling. Empty where it holds no such family (its
-/// frames of scenes come from none), and where the suite itself is unknown: one of an older program.
+/// How a suite draws the family with this full spelling. Empty where it holds no such family (frames
+/// of scenes come from no family), and where the suite itself is unknown: one of an older program.
 std::optional<FamilyDraw> family_draw(const std::string& suite, const std::string& family);
 
 /// The first and every `every`-th after it of each corpus of `instances`, at most `limit` (0: all)
 /// of each, in their order.
 std::vector<Instance> thinned(std::vector<Instance> instances, Index every, Index limit);
 
-/// The corpus an instance belongs to: what comes before the first '/' of its name.
+/// The corpus an instance belongs to: its name up to the first '/'.
 std::string corpus_of(const std::string& instance);
 
 }  // namespace lcp

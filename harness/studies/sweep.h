@@ -12,7 +12,7 @@ namespace lcp {
 std::vector<std::string> sweep_settings(const std::string& solver,
                                         const std::vector<std::string>& options);
 
-/// What a sweep runs.
+/// The solvers of a sweep.
 struct SweepPlan {
   std::vector<std::string> settings;
   /// Spellings among `settings` that a pattern brought and that have no ladder to climb: they are run

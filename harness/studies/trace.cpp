@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <limits>
 
-#include "problems/singular_values.h"
+#include "problems/decompositions.h"
 
 namespace lcp {
 

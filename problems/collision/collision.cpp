@@ -5,11 +5,11 @@
 #include <algorithm>
 #include <limits>
 #include <map>
-#include <stdexcept>
 #include <tuple>
 
 #include "problems/collision/colliders.h"
 #include "problems/rigid/contact_dynamics.h"
+#include "solvers/errors.h"
 
 namespace lcp::collision {
 
@@ -81,11 +81,11 @@ void World::add_pair(std::size_t i, std::size_t j) {
   if (key(j) < key(i)) std::swap(i, j);
   const auto [rule, collider] = rule_for(shapes_[i].geometry, shapes_[j].geometry);
   if (rule == Rule::none)
-    throw std::invalid_argument(
-        fmt::format("collision: shapes {} and {}: no rule for {} on {}; exclude their links, or "
-                    "turn a ring into "
-                    "a mesh",
-                    i, j, name_of(shapes_[i].geometry), name_of(shapes_[j].geometry)));
+    throw InvalidArgument(
+        "collision: shapes {} and {}: no rule for {} on {}; exclude their links, or "
+        "turn a ring into "
+        "a mesh",
+        i, j, name_of(shapes_[i].geometry), name_of(shapes_[j].geometry));
   if (collider == ring_on_solid && is<Ring>(shapes_[j].geometry)) std::swap(i, j);
   if (rule == Rule::ode) {
     for (const std::size_t k : {i, j}) {
@@ -105,8 +105,8 @@ void World::place(const Kinematics& kinematics) {
   for (std::size_t i = 0; i < shapes_.size(); ++i) {
     const Shape& shape = shapes_[i];
     if (shape.link >= static_cast<Index>(kinematics.pose.size()))
-      throw std::invalid_argument(fmt::format("collision: shape {}: link is {}, but there are {}",
-                                              i, shape.link, kinematics.pose.size()));
+      throw InvalidArgument("collision: shape {}: link is {}, but there are {}", i, shape.link,
+                            kinematics.pose.size());
     Placed& placed = placed_[i];
     placed.geometry = &shape.geometry;
     placed.pose =

@@ -1,11 +1,10 @@
-#include <fmt/format.h>
 
 #include <cmath>
 #include <map>
 #include <numbers>
-#include <stdexcept>
 
 #include "problems/collision/shape.h"
+#include "solvers/errors.h"
 
 namespace lcp::collision {
 
@@ -15,8 +14,7 @@ constexpr Index kLeastFacets = 3;
 
 void require_at_least(Index least, Index count, const char* name) {
   if (count < least)
-    throw std::invalid_argument(
-        fmt::format("mesh: {} is {}, expected {} or more", name, count, least));
+    throw InvalidArgument("mesh: {} is {}, expected {} or more", name, count, least);
 }
 
 /// Point k of `around` on a circle in the plane of u and v.

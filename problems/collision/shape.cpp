@@ -5,14 +5,12 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <stdexcept>
+
+#include "solvers/errors.h"
 
 namespace lcp::collision {
 
 namespace {
-
-/// How far a frame may be from a rotation: rounding.
-constexpr double kRounding = 1e-9;
 
 /// Says what is wrong with a geometry; empty where nothing is.
 struct Complaint {
@@ -92,15 +90,11 @@ const char* name_of(const Geometry& geometry) {
 
 void check(const Shape& shape, const std::string& where) {
   std::string wrong = std::visit(Complaint{}, shape.geometry);
-  const Matrix3d& R = shape.in_link.R;
   if (wrong.empty() && shape.link < Link::world)
     wrong = fmt::format("link is {}, expected -1 (the world) or more", shape.link);
   if (wrong.empty() && !shape.in_link.p.allFinite()) wrong = "place in the link is not finite";
-  if (wrong.empty() &&
-      !(R.allFinite() && R.determinant() > 0 && (R.transpose() * R).isIdentity(kRounding)))
-    wrong = "frame in the link is not a rotation";
-  if (!wrong.empty())
-    throw std::invalid_argument(fmt::format("{}: {}: {}", where, name_of(shape.geometry), wrong));
+  if (wrong.empty() && !is_rotation(shape.in_link.R)) wrong = "frame in the link is not a rotation";
+  if (!wrong.empty()) throw InvalidArgument("{}: {}: {}", where, name_of(shape.geometry), wrong);
 }
 
 double bounding_radius(const Geometry& geometry) { return std::visit(BoundingRadius{}, geometry); }

@@ -29,7 +29,7 @@ class DistanceAlong {
   SignedDistance at(double s) const { return signed_distance(solid_, point(s)); }
   /// Where on the segment a point is nearest.
   double nearest(const Vector3d& point) const;
-  /// The least s at which the distance grows by `slope` metres a metre or more; 1 where none does.
+  /// The least s at which the distance grows by `slope` metres a metre or more; 1 where it nowhere does.
   double rises_at(double slope) const;
 
  private:

@@ -1,28 +1,17 @@
 #include "problems/contact/carried_over.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
-#include <stdexcept>
+
+#include "solvers/errors.h"
 
 namespace lcp {
 
 namespace {
 
-/// Rows of contact i's unknowns: a, then b_1 ... b_m and lambda where it has friction.
-std::vector<Index> rows_of(const FrictionBlocks& blocks, Index i) {
-  std::vector<Index> rows = {blocks.normal_row[i]};
-  if (blocks.friction_row[i] < 0) return rows;
-  for (Index m = 0; m < blocks.directions_per_contact; ++m)
-    rows.push_back(blocks.friction_row[i] + m);
-  rows.push_back(blocks.cone_row[i]);
-  return rows;
-}
-
 void require_same_number(const FrictionBlocks& blocks, const std::vector<Contact>& contacts) {
   if (blocks.contacts() != static_cast<Index>(contacts.size()))
-    throw std::invalid_argument(fmt::format("an LCP of {} contacts with {} ids, expected as many",
-                                            blocks.contacts(), contacts.size()));
+    throw InvalidArgument("an LCP of {} contacts with {} ids, expected as many", blocks.contacts(),
+                          contacts.size());
 }
 
 }  // namespace
@@ -32,10 +21,10 @@ SolutionByContact by_contact(const Result& solution, const FrictionBlocks& block
   require_same_number(blocks, contacts);
   SolutionByContact apart;
   for (Index i = 0; i < blocks.contacts(); ++i) {
-    const std::vector<Index> rows = rows_of(blocks, i);
+    const std::vector<Index> rows = blocks.rows_of(i);
     if (const Index last = *std::max_element(rows.begin(), rows.end()); last >= solution.z.size())
-      throw std::invalid_argument(
-          fmt::format("z has {} entries, but contact {} has row {}", solution.z.size(), i, last));
+      throw InvalidArgument("z has {} entries, but contact {} has row {}", solution.z.size(), i,
+                            last);
     SolutionByContact::Share share{contacts[i].id, solution.z(rows), {}};
     for (std::size_t k = 0; solution.basis && k < rows.size(); ++k)
       if (std::binary_search(solution.basis->begin(), solution.basis->end(), rows[k]))
@@ -56,10 +45,9 @@ Start carried_over(const SolutionByContact& solution, const FrictionBlocks& bloc
     if (s == taken.size()) continue;
     taken[s] = true;
     const SolutionByContact::Share& share = solution.shares[s];
-    std::vector<Index> rows = rows_of(blocks, i);
+    std::vector<Index> rows = blocks.rows_of(i);
     if (static_cast<Index>(rows.size()) != share.z.size()) rows.resize(1);
-    for (std::size_t k = 0; k < rows.size(); ++k)
-      start.z(rows[k]) = share.z(static_cast<Index>(k));
+    for (std::size_t k = 0; k < rows.size(); ++k) start.z(rows[k]) = share.z(static_cast<Index>(k));
     for (const Index k : share.basic)
       if (k < static_cast<Index>(rows.size())) start.alpha.push_back(rows[k]);
   }

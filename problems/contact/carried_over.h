@@ -37,7 +37,7 @@ SolutionByContact by_contact(const Result& solution, const FrictionBlocks& block
 Start carried_over(const SolutionByContact& solution, const FrictionBlocks& blocks,
                    const std::vector<Contact>& contacts, Index n);
 
-/// What a frame leaves to the next one: its solutions, where they were accepted.
+/// A frame's legacy to the next one: its solutions, where they were accepted.
 struct FrameSolutions {
   std::optional<SolutionByContact> frictional, frictionless;
 };

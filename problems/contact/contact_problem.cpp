@@ -3,7 +3,8 @@
 #include <fmt/format.h>
 
 #include <cmath>
-#include <stdexcept>
+
+#include "solvers/errors.h"
 
 namespace lcp {
 
@@ -12,18 +13,19 @@ namespace {
 /// Sine of the angle below which a direction does not tell a tangent from the normal.
 constexpr double kParallelSine = 1e-6;
 
-[[noreturn]] void refuse(const std::string& where, const std::string& what) {
-  throw std::invalid_argument(fmt::format("{}: {}", where, what));
+template <class... Arguments>
+[[noreturn]] void refuse(const std::string& where, fmt::format_string<Arguments...> text,
+                         Arguments&&... arguments) {
+  throw InvalidArgument(where + ": " + fmt::format(text, std::forward<Arguments>(arguments)...));
 }
 
 void require_velocity(const VectorXd& velocity, Index contacts, const std::string& where,
                       const char* field) {
   if (velocity.size() != 3 * contacts)
-    refuse(where,
-           fmt::format("{} has {} entries, expected {}", field, velocity.size(), 3 * contacts));
+    refuse(where, "{} has {} entries, expected {}", field, velocity.size(), 3 * contacts);
   for (Index i = 0; i < velocity.size(); ++i)
     if (!std::isfinite(velocity(i)))
-      refuse(where, fmt::format("{}({}) is {}, expected a finite number", field, i, velocity(i)));
+      refuse(where, "{}({}) is {}, expected a finite number", field, i, velocity(i));
 }
 
 }  // namespace
@@ -36,8 +38,8 @@ Contact make_contact(const Eigen::Vector3d& normal, const Eigen::Vector3d& along
   const Eigen::Vector3d tangent = along - along.dot(n) * n;
   if (!(tangent.norm() > kParallelSine * along.norm()))
     refuse("contact frame",
-           fmt::format("({}, {}, {}) is parallel to the normal, expected a direction across it",
-                       along.x(), along.y(), along.z()));
+           "({}, {}, {}) is parallel to the normal, expected a direction across it", along.x(),
+           along.y(), along.z());
   const Eigen::Vector3d t1 = tangent.normalized();
   return {n, t1, n.cross(t1), mu, id};
 }
@@ -70,27 +72,24 @@ MatrixXd delassus_matrix(const MatrixXd& A, double dt) {
 void check(const ContactProblem& problem, const std::string& where) {
   const Index contacts = problem.size();
   if (problem.W.rows() != 3 * contacts || problem.W.cols() != 3 * contacts)
-    refuse(where, fmt::format("W is {} x {}, expected {} x {}", problem.W.rows(), problem.W.cols(),
-                              3 * contacts, 3 * contacts));
+    refuse(where, "W is {} x {}, expected {} x {}", problem.W.rows(), problem.W.cols(),
+           3 * contacts, 3 * contacts);
   const double largest = contacts > 0 ? problem.W.cwiseAbs().maxCoeff() : 0;
   for (Index j = 0; j < 3 * contacts; ++j) {
     for (Index i = 0; i < 3 * contacts; ++i) {
       if (!std::isfinite(problem.W(i, j)))
-        refuse(where,
-               fmt::format("W({}, {}) is {}, expected a finite number", i, j, problem.W(i, j)));
+        refuse(where, "W({}, {}) is {}, expected a finite number", i, j, problem.W(i, j));
       if (std::abs(problem.W(i, j) - problem.W(j, i)) > problem.asymmetry_allowed * largest)
-        refuse(where, fmt::format("W({}, {}) is {} but W({}, {}) is {}, expected a symmetric W", i,
-                                  j, problem.W(i, j), j, i, problem.W(j, i)));
+        refuse(where, "W({}, {}) is {} but W({}, {}) is {}, expected a symmetric W", i, j,
+               problem.W(i, j), j, i, problem.W(j, i));
     }
   }
   require_velocity(problem.vbar, contacts, where, "vbar");
   if (problem.v_before.size() > 0) require_velocity(problem.v_before, contacts, where, "v_before");
   for (Index i = 0; i < contacts; ++i)
     if (!(problem.contacts[i].mu >= 0) || !std::isfinite(problem.contacts[i].mu))
-      refuse(where,
-             fmt::format("mu of contact {} is {}, expected 0 or more", i, problem.contacts[i].mu));
-  if (!(problem.dt > 0))
-    refuse(where, fmt::format("dt is {}, expected a positive time", problem.dt));
+      refuse(where, "mu of contact {} is {}, expected 0 or more", i, problem.contacts[i].mu);
+  if (!(problem.dt > 0)) refuse(where, "dt is {}, expected a positive time", problem.dt);
 }
 
 }  // namespace lcp

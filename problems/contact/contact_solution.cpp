@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <numeric>
 
 #include "problems/contact/two_step.h"
 
@@ -54,11 +55,8 @@ Result expanded(const Result& part, const FrictionBlocks& part_rows, const Probl
       basis.push_back(to);
   };
   for (std::size_t k = 0; k < kept.size(); ++k) {
-    const Index i = kept[k];
-    take(part_rows.normal_row[k], rows.normal_row[i]);
-    if (rows.friction_row[i] < 0) continue;
-    for (Index d = 0; d < m; ++d) take(part_rows.friction_row[k] + d, rows.friction_row[i] + d);
-    take(part_rows.cone_row[k], rows.cone_row[i]);
+    const std::vector<Index> from = part_rows.rows_of(k), to = rows.rows_of(kept[k]);
+    for (std::size_t r = 0; r < to.size(); ++r) take(from[r], to[r]);
   }
   const VectorXd velocity = post_velocities(rows, contact_forces(rows, whole.z));
   for (Index i = 0; i < rows.contacts(); ++i) {
@@ -85,32 +83,27 @@ Result expanded(const Result& part, const FrictionBlocks& part_rows, const Probl
   return whole;
 }
 
-/// Contacts whose normals the frictional LCP starts from.
-std::vector<Index> normals_of_start(const std::vector<Index>& active, const ContactModel& model,
-                                    const MatrixXd& W_nn) {
-  return model.start == ContactModel::Start::all_active
-             ? active
-             : independent_contacts(active, W_nn, kIndependentContacts);
-}
-
-Result solve_active_only(const ContactProblem& problem, const ContactModel& model,
-                         const std::vector<Index>& active, const ContactSolution& solution,
-                         const ContactSolver& solver,
-                         const std::optional<SolutionByContact>& previous) {
-  const ContactProblem contacts = subset(problem, active);
-  const Problem part = friction_lcp(contacts, model.friction);
+/// What the frictional LCP of some contacts, with these rows, starts from: nothing where the model starts
+/// cold or what it wants is not known. `active` are contacts of the whole, contact k of the LCP is
+/// contact `of_whole[k]` there.
+Call started(const ContactModel& model, const std::vector<Contact>& contacts,
+             const Problem& problem, const std::optional<SolutionByContact>& previous,
+             const std::optional<std::vector<Index>>& active, const std::vector<Index>& of_whole,
+             const MatrixXd& W_nn) {
+  using From = ContactModel::Start;
+  const FrictionBlocks& rows = *problem.friction;
   Call call;
-  if (model.start == ContactModel::Start::previous) {
-    if (previous)
-      call.start = carried_over(*previous, *part.friction, contacts.contacts, part.size());
-  } else if (model.start != ContactModel::Start::cold) {
-    call.start.emplace();
-    const std::vector<Index> independent = normals_of_start(active, model, solution.frictionless.M);
-    for (std::size_t k = 0; k < active.size(); ++k)
-      if (std::binary_search(independent.begin(), independent.end(), active[k]))
-        call.start->alpha.push_back(part.friction->normal_row[k]);
-  }
-  return expanded(solver.solve(part, call), *part.friction, solution.frictional, active);
+  if (model.start == From::previous && previous)
+    call.start = carried_over(*previous, rows, contacts, problem.size());
+  if (model.start == From::cold || model.start == From::previous || !active) return call;
+  const std::vector<Index> normals =
+      model.start == From::all_active ? *active
+                                      : independent_contacts(*active, W_nn, kIndependentContacts);
+  call.start.emplace();
+  for (std::size_t k = 0; k < of_whole.size(); ++k)
+    if (std::binary_search(normals.begin(), normals.end(), of_whole[k]))
+      call.start->alpha.push_back(rows.normal_row[k]);
+  return call;
 }
 
 /// The rule of V-A.
@@ -126,18 +119,6 @@ void apply(const ContactProblem& problem, ContactSolution& solution) {
 }
 
 }  // namespace
-
-std::string to_string(Applied applied) {
-  switch (applied) {
-    case Applied::frictional:
-      return "frictional";
-    case Applied::frictionless:
-      return "frictionless";
-    case Applied::none:
-      break;
-  }
-  return "none";
-}
 
 ContactSolution solve_contacts(const ContactProblem& problem, const ContactModel& model,
                                const ContactSolver& solver,
@@ -160,20 +141,19 @@ ContactSolution solve_contacts(const ContactProblem& problem, const ContactModel
 
   const bool has_start =
       model.start == ContactModel::Start::previous ? previous.has_value() : active.has_value();
+  const MatrixXd& W_nn = solution.frictionless.M;
   if (active && model.active_only) {
-    solution.with_friction = solve_active_only(problem, model, *active, solution, solver, previous);
+    const ContactProblem kept = subset(problem, *active);
+    const Problem part = friction_lcp(kept, model.friction);
+    const Call call = started(model, kept.contacts, part, previous, active, *active, W_nn);
+    solution.with_friction =
+        expanded(solver.solve(part, call), *part.friction, solution.frictional, *active);
   } else {
-    const FrictionBlocks& rows = *solution.frictional.friction;
-    Call call;
-    if (model.start == ContactModel::Start::previous) {
-      if (previous)
-        call.start = carried_over(*previous, rows, problem.contacts, solution.frictional.size());
-    } else if (model.start != ContactModel::Start::cold && active) {
-      call.start.emplace();
-      for (const Index i : normals_of_start(*active, model, solution.frictionless.M))
-        call.start->alpha.push_back(rows.normal_row[i]);
-    }
-    solution.with_friction = solver.solve(solution.frictional, call);
+    std::vector<Index> all(problem.contacts.size());
+    std::iota(all.begin(), all.end(), Index{0});
+    solution.with_friction = solver.solve(
+        solution.frictional,
+        started(model, problem.contacts, solution.frictional, previous, active, all, W_nn));
   }
   if (model.start != ContactModel::Start::cold && !has_start)
     ++solution.with_friction.work.restarts;

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <functional>
-#include <string>
 
 #include "problems/contact/carried_over.h"
 #include "problems/contact/friction_lcp.h"
@@ -9,7 +8,7 @@
 
 namespace lcp {
 
-/// What a frame's contacts are solved with. Both may be watched or timed by whoever hands them over.
+/// The solver of a frame's contacts. Both may be watched or timed by whoever hands them over.
 struct ContactSolver {
   std::function<Result(const Problem&, const Call&)> solve;
   /// Whether an answer may act. The paper counts a solution whose error exceeds e_max as failed.
@@ -40,8 +39,6 @@ enum class Applied {
   frictionless,  ///< The frictional LCP failed: bodies do not sink, but slip.
   none,          ///< Both failed.
 };
-
-std::string to_string(Applied applied);
 
 /// A frame's two LCPs, their answers, and the forces that act.
 struct ContactSolution {

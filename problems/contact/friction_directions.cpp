@@ -1,10 +1,9 @@
 #include "problems/contact/friction_directions.h"
 
-#include <fmt/format.h>
-
 #include <cmath>
 #include <numbers>
-#include <stdexcept>
+
+#include "solvers/errors.h"
 
 namespace lcp {
 
@@ -34,14 +33,13 @@ MatrixXd regular_directions(Index m) {
 MatrixXd friction_directions(const ContactProblem& problem, const FrictionModel& model) {
   const Index m = model.directions;
   if (m < 2 || m % 2 != 0)
-    throw std::invalid_argument(
-        fmt::format("friction directions: {} per contact, expected an even number from 2", m));
+    throw InvalidArgument("friction directions: {} per contact, expected an even number from 2", m);
   const bool follow_slip = model.axes == FrictionModel::Axes::slip;
   if (follow_slip && problem.v_before.size() != 3 * problem.size())
-    throw std::invalid_argument(fmt::format(
+    throw InvalidArgument(
         "friction directions: axes along the slip velocity need v_before with {} entries, it has "
         "{}",
-        3 * problem.size(), problem.v_before.size()));
+        3 * problem.size(), problem.v_before.size());
 
   const MatrixXd regular = regular_directions(m);
   MatrixXd directions = regular.replicate(1, problem.size());

@@ -1,10 +1,10 @@
 #include "problems/contact/friction_lcp.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <numeric>
 #include <stdexcept>
+
+#include "solvers/errors.h"
 
 namespace lcp {
 
@@ -120,14 +120,7 @@ bool has_friction(const Problem& problem) {
 Problem frictionless_part(const Problem& problem) {
   if (!problem.friction)
     throw std::invalid_argument("frictionless part: the problem has no friction blocks");
-  const std::vector<Index>& rows = problem.friction->normal_row;
-  Problem part;
-  part.M = problem.M(rows, rows);
-  part.q = problem.q(rows);
-  part.s_z = problem.s_z(rows);
-  part.s_w = problem.s_w(rows);
-  if (problem.c.size() > 0) part.c = problem.c(rows);
-  part.pivot_limit = problem.pivot_limit;
+  Problem part = restricted(problem, problem.friction->normal_row);
   FrictionBlocks& blocks = part.friction.emplace(*problem.friction);
   blocks.mu.setZero();
   std::iota(blocks.normal_row.begin(), blocks.normal_row.end(), Index{0});
@@ -140,8 +133,8 @@ VectorXd contact_forces(const FrictionBlocks& blocks, const VectorXd& z) {
   const Index m = blocks.directions_per_contact;
   const auto require_row = [&](Index row) {
     if (row >= z.size())
-      throw std::invalid_argument(
-          fmt::format("contact forces: z has {} entries, expected more than {}", z.size(), row));
+      throw InvalidArgument("contact forces: z has {} entries, expected more than {}", z.size(),
+                            row);
   };
   VectorXd forces = VectorXd::Zero(3 * blocks.contacts());
   for (Index i = 0; i < blocks.contacts(); ++i) {
@@ -157,8 +150,8 @@ VectorXd contact_forces(const FrictionBlocks& blocks, const VectorXd& z) {
 
 VectorXd post_velocities(const FrictionBlocks& blocks, const VectorXd& forces) {
   if (forces.size() != blocks.vbar.size())
-    throw std::invalid_argument(fmt::format("post velocities: f has {} entries, expected {}",
-                                            forces.size(), blocks.vbar.size()));
+    throw InvalidArgument("post velocities: f has {} entries, expected {}", forces.size(),
+                          blocks.vbar.size());
   return blocks.W * forces + blocks.vbar;
 }
 

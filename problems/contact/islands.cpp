@@ -1,10 +1,9 @@
 #include "problems/contact/islands.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <numeric>
-#include <stdexcept>
+
+#include "solvers/errors.h"
 
 namespace lcp {
 
@@ -39,11 +38,8 @@ std::vector<std::vector<Index>> components(const MatrixXd& W) {
 std::vector<Index> rows_of(const FrictionBlocks& blocks, const std::vector<Index>& members) {
   std::vector<Index> rows;
   for (const Index i : members) {
-    rows.push_back(blocks.normal_row[i]);
-    if (blocks.friction_row[i] < 0) continue;
-    for (Index k = 0; k < blocks.directions_per_contact; ++k)
-      rows.push_back(blocks.friction_row[i] + k);
-    rows.push_back(blocks.cone_row[i]);
+    const std::vector<Index> own = blocks.rows_of(i);
+    rows.insert(rows.end(), own.begin(), own.end());
   }
   std::sort(rows.begin(), rows.end());
   return rows;
@@ -78,22 +74,15 @@ void require_every_row_once(const std::vector<Island>& islands, Index n) {
     for (const Index row : island.rows) ++times.at(row);
   for (Index row = 0; row < n; ++row)
     if (times[row] != 1)
-      throw std::invalid_argument(fmt::format(
-          "islands: row {} belongs to {} contacts, expected exactly 1", row, times[row]));
+      throw InvalidArgument("islands: row {} belongs to {} contacts, expected exactly 1", row,
+                            times[row]);
 }
 
 }  // namespace
 
 Island part_of_contacts(const Problem& problem, const std::vector<Index>& contacts) {
-  Island island;
-  island.rows = rows_of(*problem.friction, contacts);
-  const std::vector<Index>& rows = island.rows;
-  island.problem.M = problem.M(rows, rows);
-  island.problem.q = problem.q(rows);
-  island.problem.s_z = problem.s_z(rows);
-  island.problem.s_w = problem.s_w(rows);
-  if (problem.c.size() > 0) island.problem.c = problem.c(rows);
-  island.problem.pivot_limit = problem.pivot_limit;
+  const std::vector<Index> rows = rows_of(*problem.friction, contacts);
+  Island island{restricted(problem, rows), rows};
   island.problem.friction = take_blocks(*problem.friction, contacts, rows);
   return island;
 }

@@ -1,13 +1,12 @@
 #include "problems/contact/reduction.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <numeric>
-#include <stdexcept>
 #include <tuple>
+
+#include "solvers/errors.h"
 
 namespace lcp {
 
@@ -22,7 +21,7 @@ using Separating = ReductionOptions::Separating;
 /// How far a unit normal's length may be from 1.
 constexpr double kUnitTolerance = 1e-6;
 
-/// Everything that tells one point from another, in the order in which they are gone through.
+/// Everything in which one point may differ from another, in the order in which they are gone through.
 auto sort_key(const ContactPoint& point) {
   const Vector3d &x = point.position, &n = point.normal;
   return std::tuple(point.id.body1, point.id.body2, -point.depth, x.x(), x.y(), x.z(), n.x(), n.y(),
@@ -38,12 +37,11 @@ void require_sound(const std::vector<ContactPoint>& points) {
     const ContactPoint& point = points[i];
     if (!point.position.allFinite() || !std::isfinite(point.depth) ||
         !std::isfinite(point.normal_velocity))
-      throw std::invalid_argument(fmt::format(
-          "contact reduction: point {}: expected a finite position, depth and velocity", i));
+      throw InvalidArgument(
+          "contact reduction: point {}: expected a finite position, depth and velocity", i);
     if (!(std::abs(point.normal.norm() - 1) <= kUnitTolerance))
-      throw std::invalid_argument(
-          fmt::format("contact reduction: point {}: the normal has length {}, expected 1", i,
-                      point.normal.norm()));
+      throw InvalidArgument("contact reduction: point {}: the normal has length {}, expected 1", i,
+                            point.normal.norm());
   }
 }
 

@@ -6,7 +6,7 @@
 
 namespace lcp {
 
-/// What a collision test says of one point at which two bodies touch.
+/// One point at which two bodies touch, as a collision test describes it.
 struct ContactPoint {
   Eigen::Vector3d position;    ///< m, world axes.
   Eigen::Vector3d normal;      ///< Unit, from body 2 to body 1, world axes.

@@ -7,7 +7,7 @@
 
 namespace lcp {
 
-/// What the two steps of IV-C returned.
+/// Results of the two steps of IV-C.
 struct TwoStep {
   Result frictionless;
   Result frictional;  ///< The answer; its work holds the pivots of the first step apart.

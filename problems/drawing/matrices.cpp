@@ -1,5 +1,7 @@
 #include "problems/drawing/matrices.h"
 
+#include "problems/decompositions.h"
+
 namespace lcp {
 
 MatrixXd uniform_matrix(Index rows, Index columns, Random& random) {
@@ -10,8 +12,7 @@ MatrixXd uniform_matrix(Index rows, Index columns, Random& random) {
 }
 
 MatrixXd orthonormal_columns(Index rows, Index columns, Random& random) {
-  const Eigen::HouseholderQR<MatrixXd> qr(uniform_matrix(rows, columns, random));
-  return qr.householderQ() * MatrixXd::Identity(rows, columns);
+  return orthonormal_basis(uniform_matrix(rows, columns, random));
 }
 
 VectorXd spread_spectrum(Index size, double condition, Random& random) {

@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-#include <stdexcept>
+#include "solvers/errors.h"
 
 namespace lcp {
 
@@ -10,10 +10,10 @@ PlantedPairs planted_pairs(Index n, Index active, Index degenerate,
                            const std::function<double()>& positive, Random& random,
                            const std::string& where) {
   if (active + degenerate > n)
-    throw std::invalid_argument(
-        fmt::format("{}: active={} and degenerate={}: expected at most "
-                    "n={} together",
-                    where, active, degenerate, n));
+    throw InvalidArgument(
+        "{}: active={} and degenerate={}: expected at most "
+        "n={} together",
+        where, active, degenerate, n);
   PlantedPairs pairs{VectorXd::Zero(n), VectorXd::Zero(n)};
   const std::vector<Index> places = random.permutation(n);
   for (Index k = 0; k < active; ++k) pairs.z(places[k]) = positive();

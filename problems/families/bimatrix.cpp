@@ -25,14 +25,12 @@
 //           Mathematics 12, 1964; R. W. Cottle, J.-S. Pang, R. E. Stone, The Linear Complementarity
 //           Problem, 2009, 1.2.
 
-#include <fmt/format.h>
-
 #include <algorithm>
-#include <stdexcept>
 
 #include "problems/drawing/planted.h"
 #include "problems/games.h"
 #include "problems/registry.h"
+#include "solvers/errors.h"
 
 namespace lcp {
 namespace {
@@ -59,10 +57,10 @@ OptionTable knob_table(BimatrixKnobs& knobs) {
       count("support", knobs.support, 1, 200, "strategies that either uses at the equilibrium"),
       count("degenerate", knobs.degenerate, 0, 400,
             "unused strategies, of both players together, that cost as much as the used"),
-      choice("tie", knobs.tie, {"payoff", "duplicate"},
+      choice("tie", knobs.tie,
              "these have equal cost at the equilibrium only, or are copies of used ones"),
       count("payoffs", knobs.payoffs, 2, 1000, "largest cost; the least is 1"),
-      choice("form", knobs.form, {"sums", "repeated", "lemke-howson"},
+      choice("form", knobs.form,
              "the sums of strategies as inequalities, these repeated for every strategy, or left "
              "out (Lemke ends on a ray)"),
   };
@@ -70,14 +68,12 @@ OptionTable knob_table(BimatrixKnobs& knobs) {
 
 void check(const BimatrixKnobs& knobs) {
   if (knobs.support > std::min(knobs.rows, knobs.columns))
-    throw std::invalid_argument(
-        fmt::format("bimatrix: support={}: expected at most rows={} and columns={}", knobs.support,
-                    knobs.rows, knobs.columns));
+    throw InvalidArgument("bimatrix: support={}: expected at most rows={} and columns={}",
+                          knobs.support, knobs.rows, knobs.columns);
   const Index unused = knobs.rows + knobs.columns - 2 * knobs.support;
   if (knobs.degenerate > unused)
-    throw std::invalid_argument(
-        fmt::format("bimatrix: degenerate={}: expected at most the {} unused strategies",
-                    knobs.degenerate, unused));
+    throw InvalidArgument("bimatrix: degenerate={}: expected at most the {} unused strategies",
+                          knobs.degenerate, unused);
 }
 
 /// What one player does at the equilibrium.

@@ -1,10 +1,7 @@
 #include "problems/families/growing_series.h"
 
-#include <fmt/format.h>
-
-#include <stdexcept>
-
 #include "problems/drawing/planted.h"
+#include "solvers/errors.h"
 
 namespace lcp {
 
@@ -17,10 +14,10 @@ OptionTable growing_options(GrowingKnobs& knobs, Index smallest, Index largest) 
 std::vector<Instance> growing_series(const GrowingKnobs& knobs, Index largest, const Draw& draw,
                                      const std::function<ClassicLcp(Index)>& of_size) {
   if (draw.count > largest - knobs.n + 1)
-    throw std::invalid_argument(
-        fmt::format("{}: {} instances from n={} on end at n={}: expected at most {}, so fewer or "
-                    "a smaller n",
-                    draw.corpus, draw.count, knobs.n, knobs.n + draw.count - 1, largest));
+    throw InvalidArgument(
+        "{}: {} instances from n={} on end at n={}: expected at most {}, so fewer or "
+        "a smaller n",
+        draw.corpus, draw.count, knobs.n, knobs.n + draw.count - 1, largest);
   Random random(draw.seed);
   std::vector<Instance> instances;
   for (Index k = 0; k < draw.count; ++k) {

@@ -3,11 +3,8 @@
 
 #include "problems/published.h"
 
-#include <fmt/format.h>
-
-#include <stdexcept>
-
 #include "problems/registry.h"
+#include "solvers/errors.h"
 
 namespace lcp {
 
@@ -21,8 +18,8 @@ std::vector<Instance> first_instances(const Knobs&, const Draw& draw) {
   const std::vector<PublishedInstance>& all = published_instances();
   const Index known = static_cast<Index>(all.size());
   if (draw.count < 0 || draw.count > known)
-    throw std::invalid_argument(
-        fmt::format("published: {} instances asked for, expected 1 ... {}", draw.count, known));
+    throw InvalidArgument("published: {} instances asked for, expected 1 ... {}", draw.count,
+                          known);
   std::vector<Instance> instances;
   for (Index i = 0; i < draw.count; ++i) instances.push_back(all[i].instance);
   return instances;

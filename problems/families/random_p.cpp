@@ -20,15 +20,13 @@
 // Seed      Of the generator from which all instances of a draw come, one after the other.
 // Source    R. W. Cottle, J.-S. Pang, R. E. Stone, The Linear Complementarity Problem, 2009, 3.3.
 
-#include <fmt/format.h>
-
 #include <cmath>
 #include <limits>
-#include <stdexcept>
 
 #include "problems/drawing/matrices.h"
 #include "problems/drawing/planted.h"
 #include "problems/registry.h"
+#include "solvers/errors.h"
 
 namespace lcp {
 namespace {
@@ -51,8 +49,7 @@ struct RandomPKnobs {
 
 OptionTable knob_table(RandomPKnobs& knobs) {
   return {
-      choice("kind", knobs.kind, {"definite", "dominant", "triangular"},
-             "positive definite, H-matrix, or relabelled triangular"),
+      choice("kind", knobs.kind, "positive definite, H-matrix, or relabelled triangular"),
       count("n", knobs.n, 2, 1000, "rows"),
       real_or("skew", knobs.skew, 0, 0.99, "half",
               "share of the skew-symmetric part, 0 is symmetric; half is 0.5, and all that "
@@ -116,8 +113,8 @@ MatrixXd random_p_matrix(const RandomPKnobs& knobs, Random& random) {
 
 std::vector<Instance> generate_random_p(const RandomPKnobs& knobs, const Draw& draw) {
   if (knobs.kind == Kind::triangular && !std::isnan(knobs.skew))
-    throw std::invalid_argument(fmt::format(
-        "random-p: skew={} with kind=triangular: expected skew=half, or another kind", knobs.skew));
+    throw InvalidArgument(
+        "random-p: skew={} with kind=triangular: expected skew=half, or another kind", knobs.skew);
   const Index active = knobs.active > 0 ? knobs.active : knobs.n / 2;
   Random random(draw.seed);
   std::vector<Instance> instances;

@@ -22,11 +22,11 @@
 #include <cmath>
 #include <cstdint>
 #include <limits>
-#include <stdexcept>
 
 #include "problems/drawing/matrices.h"
 #include "problems/drawing/planted.h"
 #include "problems/registry.h"
+#include "solvers/errors.h"
 
 namespace lcp {
 namespace {
@@ -68,7 +68,7 @@ OptionTable knob_table(SemidefiniteKnobs& knobs) {
 }
 
 void refuse(const std::string& offence, const std::string& expected) {
-  throw std::invalid_argument(fmt::format("semidefinite: {}: expected {}", offence, expected));
+  throw InvalidArgument("semidefinite: {}: expected {}", offence, expected);
 }
 
 /// Throws unless the knobs agree with one another; `knobs` has its words replaced by numbers.

@@ -1,7 +1,8 @@
 #pragma once
 
-#include <stdexcept>
 #include <string>
+
+#include "solvers/errors.h"
 
 namespace lcp {
 
@@ -11,16 +12,17 @@ std::string one_line(std::string text);
 
 /// A file that cannot be read as instances: missing, truncated, hostile, of another format. The
 /// message is one line `file: place: what is wrong, expected ...`. Exit status 3 of the command line.
-class UnreadableInput : public std::runtime_error {
- public:
+struct UnreadableInput : std::runtime_error {
   explicit UnreadableInput(const std::string& message) : std::runtime_error(one_line(message)) {}
+  template <class... Arguments>
+  explicit UnreadableInput(fmt::format_string<Arguments...> text, Arguments&&... arguments)
+      : UnreadableInput(fmt::format(text, std::forward<Arguments>(arguments)...)) {}
 };
 
 /// A file that cannot be written, or instances that its format cannot hold. The message is one line
 /// `file: what is wrong`. Exit status 4 of the command line.
-class UnwritableOutput : public std::runtime_error {
- public:
-  using std::runtime_error::runtime_error;
+struct UnwritableOutput : Formatted<std::runtime_error> {
+  using Formatted::Formatted;
 };
 
 }  // namespace lcp

@@ -93,14 +93,7 @@ void pass(Image& image, std::map<std::string, std::string>& texts) {
 
 template <class Image>
 void pass(Image& image, FrictionBlocks& blocks) {
-  pass(image, blocks.W);
-  pass(image, blocks.vbar);
-  pass(image, blocks.mu);
-  pass(image, blocks.directions);
-  pass(image, blocks.directions_per_contact);
-  pass(image, blocks.normal_row);
-  pass(image, blocks.friction_row);
-  pass(image, blocks.cone_row);
+  each_field(blocks, [&](const char*, auto& field) { pass(image, field); });
 }
 
 template <class Image>

@@ -16,6 +16,7 @@
 #include "problems/io/text/json.h"
 #include "problems/io/text/matrix_market.h"
 #include "problems/io/text/siconos.h"
+#include "solvers/errors.h"
 
 namespace lcp {
 
@@ -38,7 +39,7 @@ Format format_of(const std::string& path) {
   return Format::unknown;
 }
 
-/// What the instance of a file that names none is called: dir/x of dir/x.M.mtx or dir/x.dat.
+/// Name of the instance in a file without names: dir/x of dir/x.M.mtx or dir/x.dat.
 std::string name_of_file(const std::string& path) {
   for (const char* ending : {matrix_market_ending, siconos_ending, json_ending, ".hdf5", ".h5"})
     if (path.ends_with(ending)) return path.substr(0, path.rfind(ending));
@@ -55,7 +56,7 @@ std::vector<Instance> load_corpus(const std::string& file, const std::string& na
   try {
     return from_image(image);
   } catch (const std::invalid_argument& error) {
-    throw UnreadableInput(fmt::format("{}: {}", file, error.what()));
+    throw UnreadableInput("{}: {}", file, error.what());
   }
 }
 
@@ -64,7 +65,7 @@ std::vector<Instance> named(std::vector<Instance> instances, const std::string& 
   if (name.empty()) return instances;
   for (Instance& instance : instances)
     if (instance.name == name) return {std::move(instance)};
-  throw UnreadableInput(fmt::format("{}: holds no instance called '{}'", file, name));
+  throw UnreadableInput("{}: holds no instance called '{}'", file, name);
 }
 
 /// The instances of a file, or the one called `name`; `relative` is the file's path from where the
@@ -84,7 +85,7 @@ std::vector<Instance> load_file(const std::string& file, const std::string& name
     case Format::unknown:
       break;
   }
-  throw UnreadableInput(fmt::format("{}: unknown ending, expected {}", file, known_endings));
+  throw UnreadableInput("{}: unknown ending, expected {}", file, known_endings);
 }
 
 /// Files of known formats below a directory, sorted.
@@ -113,14 +114,14 @@ std::vector<Instance> load_directory(const std::string& directory,
     for (Instance& instance : found) {
       const auto [first, added] = file_of_name.try_emplace(instance.name, file);
       if (!added)
-        throw UnreadableInput(fmt::format("{}: holds '{}' like {}, expected different names", file,
-                                          instance.name, first->second));
+        throw UnreadableInput("{}: holds '{}' like {}, expected different names", file,
+                              instance.name, first->second);
       instances.push_back(std::move(instance));
     }
   }
   if (instances.empty())
-    throw UnreadableInput(fmt::format("{}: no readable instance in this directory, expected {}",
-                                      directory, known_endings));
+    throw UnreadableInput("{}: no readable instance in this directory, expected {}", directory,
+                          known_endings);
   return instances;
 }
 
@@ -138,27 +139,25 @@ std::vector<Instance> load_instances(const std::string& where,
       file = where.substr(0, hash);
       name = where.substr(hash + 1);
       if (name.empty())
-        throw UnreadableInput(fmt::format("{}: no name behind the '#', expected FILE#NAME", where));
+        throw UnreadableInput("{}: no name behind the '#', expected FILE#NAME", where);
     }
     if (fs::is_directory(file)) return named(load_directory(file, skipped, options), file, name);
-    if (!fs::is_regular_file(file))
-      throw UnreadableInput(fmt::format("{}: no such file or directory", file));
+    if (!fs::is_regular_file(file)) throw UnreadableInput("{}: no such file or directory", file);
     return load_file(file, name, fs::path(file).filename(), options);
   } catch (const fs::filesystem_error& error) {
-    throw UnreadableInput(fmt::format("{}: {}", where, error.code().message()));
+    throw UnreadableInput("{}: {}", where, error.code().message());
   } catch (const std::bad_alloc&) {
-    throw UnreadableInput(fmt::format("{}: larger than the memory that is left", where));
+    throw UnreadableInput("{}: larger than the memory that is left", where);
   }
 }
 
 void check_ending(const std::string& path) {
   const Format format = format_of(path);
   if (format == Format::siconos)
-    throw std::invalid_argument(fmt::format(
-        "{}: Siconos files are read only, expected one of .hdf5, .h5, .M.mtx, .json", path));
+    throw InvalidArgument(
+        "{}: Siconos files are read only, expected one of .hdf5, .h5, .M.mtx, .json", path);
   if (format == Format::unknown)
-    throw std::invalid_argument(
-        fmt::format("{}: unknown ending, expected one of {}", path, known_endings));
+    throw InvalidArgument("{}: unknown ending, expected one of {}", path, known_endings);
 }
 
 void save_instances(const std::string& path, const std::vector<Instance>& instances) {
@@ -167,8 +166,8 @@ void save_instances(const std::string& path, const std::vector<Instance>& instan
   if (format == Format::corpus) return write_corpus(path, instances);
   if (format == Format::json) return write_json(path, instances);
   if (instances.size() != 1)
-    throw std::invalid_argument(fmt::format(
-        "{}: {} instances for one Matrix Market pair, expected 1", path, instances.size()));
+    throw InvalidArgument("{}: {} instances for one Matrix Market pair, expected 1", path,
+                          instances.size());
   write_matrix_market(path, instances.front());
 }
 

@@ -5,8 +5,10 @@
 #include <stdexcept>
 
 #include "problems/contact/friction_lcp.h"
+#include "problems/features.h"
 #include "problems/io/errors.h"
 #include "problems/io/limits.h"
+#include "solvers/errors.h"
 
 namespace lcp {
 
@@ -32,11 +34,6 @@ LocalContacts in_space(const LocalContacts& plane) {
   return space;
 }
 
-double asymmetry_of(const MatrixXd& W) {
-  const double largest = W.size() > 0 ? W.cwiseAbs().maxCoeff() : 0;
-  return largest > 0 ? (W - W.transpose()).cwiseAbs().maxCoeff() / largest : 0;
-}
-
 ContactProblem to_contact_problem(LocalContacts local) {
   ContactProblem problem;
   problem.asymmetry_allowed = foreign_asymmetry;
@@ -53,18 +50,17 @@ ContactProblem to_contact_problem(LocalContacts local) {
 
 void check(const ReadOptions& options) {
   if (options.directions < 2 || options.directions % 2 != 0 || options.directions > largest_rows)
-    throw std::invalid_argument(
-        fmt::format("--directions is {}, expected an even number in 2 ... {}", options.directions,
-                    largest_rows));
+    throw InvalidArgument("--directions is {}, expected an even number in 2 ... {}",
+                          options.directions, largest_rows);
 }
 
 void require_readable_size(Index contacts, Index dimension, const ReadOptions& options,
                            const std::string& where) {
   const Index rows_each = directions_in(dimension, options) + 2;
   if (contacts > largest_rows / rows_each)
-    throw UnreadableInput(fmt::format(
+    throw UnreadableInput(
         "{}: {} contacts with {} directions make an LCP of {} rows, expected at most {}", where,
-        contacts, rows_each - 2, contacts * rows_each, largest_rows));
+        contacts, rows_each - 2, contacts * rows_each, largest_rows);
 }
 
 Instance contact_instance(const std::string& name, LocalContacts local, const ReadOptions& options,
@@ -80,7 +76,7 @@ Instance contact_instance(const std::string& name, LocalContacts local, const Re
     Problem problem = friction_lcp(to_contact_problem(std::move(local)), model);
     return make_instance(name, std::move(problem), std::move(provenance));
   } catch (const std::invalid_argument& error) {
-    throw UnreadableInput(fmt::format("{}: {}", where, error.what()));
+    throw UnreadableInput("{}: {}", where, error.what());
   }
 }
 

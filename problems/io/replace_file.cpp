@@ -2,7 +2,6 @@
 
 #include <fcntl.h>
 #include <fmt/format.h>
-#include <unistd.h>
 
 #include <cerrno>
 #include <cstdio>
@@ -11,6 +10,7 @@
 #include <vector>
 
 #include "problems/io/errors.h"
+#include "problems/io/file_descriptor.h"
 
 namespace lcp {
 
@@ -18,35 +18,27 @@ namespace {
 
 [[noreturn]] void fail(const std::string& path, const char* what) {
   const int reason = errno;
-  throw UnwritableOutput(fmt::format("{}: cannot {}: {}", path, what, std::strerror(reason)));
+  throw UnwritableOutput("{}: cannot {}: {}", path, what, std::strerror(reason));
 }
 
 /// A file that is removed again unless it was renamed to what it shall be.
 class TemporaryFile {
  public:
   explicit TemporaryFile(const std::string& target)
-      : target_(target), path_(fmt::format("{}.{}.tmp", target, getpid())) {
-    file_ = open(path_.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666);
-    if (file_ < 0) fail(target_, "write");
+      : target_(target),
+        path_(fmt::format("{}.{}.tmp", target, getpid())),
+        file_(open(path_.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666)) {
+    if (file_.get() < 0) fail(target_, "write");
   }
   ~TemporaryFile() {
-    if (file_ >= 0) close(file_);
     if (!renamed_) unlink(path_.c_str());
   }
   TemporaryFile(const TemporaryFile&) = delete;
   TemporaryFile& operator=(const TemporaryFile&) = delete;
 
   void write(std::string_view bytes) {
-    while (!bytes.empty()) {
-      const ssize_t written = ::write(file_, bytes.data(), bytes.size());
-      if (written < 0 && errno == EINTR) continue;
-      if (written < 0) fail(target_, "write");
-      bytes.remove_prefix(static_cast<std::size_t>(written));
-    }
-    if (fsync(file_) != 0) fail(target_, "write");
-    const int closed = close(file_);
-    file_ = -1;
-    if (closed != 0) fail(target_, "write");
+    if (!write_all(file_.get(), bytes) || fsync(file_.get()) != 0 || !file_.reset())
+      fail(target_, "write");
   }
 
   void rename() {
@@ -57,7 +49,7 @@ class TemporaryFile {
  private:
   std::string target_;
   std::string path_;
-  int file_ = -1;
+  FileDescriptor file_;
   bool renamed_ = false;
 };
 
@@ -65,10 +57,8 @@ class TemporaryFile {
 /// reasons, and the content is safe already.
 void synchronise_directory_of(const std::string& path) {
   const std::filesystem::path parent = std::filesystem::path(path).parent_path();
-  const int directory = open(parent.empty() ? "." : parent.c_str(), O_RDONLY | O_CLOEXEC);
-  if (directory < 0) return;
-  fsync(directory);
-  close(directory);
+  const FileDescriptor directory(open(parent.empty() ? "." : parent.c_str(), O_RDONLY | O_CLOEXEC));
+  fsync(directory.get());
 }
 
 }  // namespace
@@ -83,8 +73,7 @@ void replace_file(const std::string& path, std::string_view bytes) {
 void make_directories(const std::filesystem::path& path) {
   std::error_code error;
   std::filesystem::create_directories(path, error);
-  if (error)
-    throw UnwritableOutput(fmt::format("{}: cannot create: {}", path.string(), error.message()));
+  if (error) throw UnwritableOutput("{}: cannot create: {}", path.string(), error.message());
 }
 
 void remove_unfinished(const std::filesystem::path& directory) {

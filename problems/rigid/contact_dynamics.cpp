@@ -1,10 +1,9 @@
 #include "problems/rigid/contact_dynamics.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
-#include <stdexcept>
+
+#include "solvers/errors.h"
 
 namespace lcp {
 
@@ -20,8 +19,7 @@ Vector3d first_tangent(const Vector3d& normal) {
 Index handle_place(const std::vector<Index>& handles, Index link) {
   const auto place = std::lower_bound(handles.begin(), handles.end(), link);
   if (place == handles.end() || *place != link)
-    throw std::invalid_argument(
-        fmt::format("contacts: link {} touches but is no handle of the dynamics", link));
+    throw InvalidArgument("contacts: link {} touches but is no handle of the dynamics", link);
   return place - handles.begin();
 }
 

@@ -1,13 +1,11 @@
 #include "problems/rigid/forward_dynamics.h"
 
-#include <fmt/format.h>
-
-#include <Eigen/Eigenvalues>
 #include <algorithm>
-#include <stdexcept>
 
+#include "problems/decompositions.h"
 #include "problems/rigid/assembly_plan.h"
 #include "problems/rigid/transmission.h"
+#include "solvers/errors.h"
 
 namespace lcp {
 
@@ -33,13 +31,13 @@ using Small = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::ColMa
 /// below `tolerance` are left out.
 Small inverse_on_range(const Small& gamma, const Small& scale, double tolerance) {
   const Eigen::Vector<double, Eigen::Dynamic> unit = scale.diagonal().cwiseSqrt().cwiseInverse();
-  const Eigen::SelfAdjointEigenSolver<Small> scaled(
-      Small(unit.asDiagonal() * gamma * unit.asDiagonal()));
+  const SymmetricEigen scaled = symmetric_eigen(unit.asDiagonal() * gamma * unit.asDiagonal());
+  const Small vectors = scaled.vectors;
   Small inverse = Small::Zero(gamma.rows(), gamma.cols());
   for (Index i = 0; i < gamma.rows(); ++i) {
-    if (!(scaled.eigenvalues()(i) > tolerance)) continue;
-    const auto direction = scaled.eigenvectors().col(i).cwiseProduct(unit);
-    inverse += direction * direction.transpose() / scaled.eigenvalues()(i);
+    if (!(scaled.values(i) > tolerance)) continue;
+    const auto direction = vectors.col(i).cwiseProduct(unit);
+    inverse += direction * direction.transpose() / scaled.values(i);
   }
   return inverse;
 }
@@ -51,9 +49,8 @@ void check_handles(const Model& model, const std::vector<Index>& handles,
   for (std::size_t h = 0; h < handles.size(); ++h) {
     const bool ascending = h == 0 || handles[h] > handles[h - 1];
     if (handles[h] < 0 || handles[h] >= model.size() || !ascending)
-      throw std::invalid_argument(
-          fmt::format("{}: handle {} is link {}, expected ascending links 0 ... {}", where, h,
-                      handles[h], model.size() - 1));
+      throw InvalidArgument("{}: handle {} is link {}, expected ascending links 0 ... {}", where, h,
+                            handles[h], model.size() - 1);
   }
 }
 
@@ -83,8 +80,8 @@ class ForwardDynamics::Impl {
   void assemble(const Kinematics& k, const VectorXd& torques, const Vector3d& gravity,
                 const std::vector<Vector6d>& forces) {
     if (!forces.empty() && forces.size() != static_cast<std::size_t>(model_.size()))
-      throw std::invalid_argument(fmt::format("assembly: forces on {} links, expected {} or none",
-                                              forces.size(), model_.size()));
+      throw InvalidArgument("assembly: forces on {} links, expected {} or none", forces.size(),
+                            model_.size());
     kinematics_ = k;
     for (Part& part : parts_) {
       if (part.is_body())
@@ -114,8 +111,8 @@ class ForwardDynamics::Impl {
 
   Accelerations disassemble(const VectorXd& forces) {
     if (forces.size() != 6 * static_cast<Index>(handles_.size()))
-      throw std::invalid_argument(
-          fmt::format("disassembly: {} forces, expected {}", forces.size(), 6 * handles_.size()));
+      throw InvalidArgument("disassembly: {} forces, expected {}", forces.size(),
+                            6 * handles_.size());
     Accelerations found{VectorXd::Zero(model_.velocities()),
                         std::vector<Vector6d>(model_.size(), Vector6d::Zero())};
     for (const Index root : roots_) {
@@ -297,7 +294,7 @@ class ForwardDynamics::Impl {
     }
   }
 
-  /// Place of a link among the handles; -1 where it is none.
+  /// Place of a link among the handles; -1 where it is not one of them.
   Index handle_place(Index link) const {
     const auto place = std::lower_bound(handles_.begin(), handles_.end(), link);
     return place != handles_.end() && *place == link ? place - handles_.begin() : -1;

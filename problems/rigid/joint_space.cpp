@@ -1,10 +1,7 @@
 #include "problems/rigid/joint_space.h"
 
-#include <fmt/format.h>
-
-#include <stdexcept>
-
 #include "problems/rigid/transmission.h"
+#include "solvers/errors.h"
 
 namespace lcp {
 
@@ -119,8 +116,8 @@ MatrixXd JointSpace::loop_rates(const Kinematics& k) const {
 
 MatrixXd JointSpace::contact_factor(const Kinematics& k, const MatrixXd& J) const {
   if (J.cols() != 6 * static_cast<Index>(handles_.size()))
-    throw std::invalid_argument(
-        fmt::format("joint space: J has {} columns, expected {}", J.cols(), 6 * handles_.size()));
+    throw InvalidArgument("joint space: J has {} columns, expected {}", J.cols(),
+                          6 * handles_.size());
   MatrixXd of_links = MatrixXd::Zero(J.rows(), 6 * model_->size());
   for (std::size_t h = 0; h < handles_.size(); ++h)
     of_links.middleCols<6>(6 * handles_[h]) = J.middleCols<6>(6 * h);

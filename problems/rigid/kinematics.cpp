@@ -11,7 +11,7 @@ Matrix3d joint_rotation(const Link& link, const VectorXd& q, Index at) {
     case JointKind::prescribed:
       return Eigen::AngleAxisd(q(at), link.axis).toRotationMatrix();
     case JointKind::ball:
-      return Eigen::Quaterniond(q(at + 3), q(at), q(at + 1), q(at + 2)).toRotationMatrix();
+      return read_quaternion(q, at).toRotationMatrix();
     default:
       return Matrix3d::Identity();
   }
@@ -21,8 +21,7 @@ Pose link_pose(const Model& model, const VectorXd& q, Index i, const std::vector
   const Link& link = model.link(i);
   const Index at = model.q_of(i);
   if (link.joint == JointKind::free)
-    return {Eigen::Quaterniond(q(at + 6), q(at + 3), q(at + 4), q(at + 5)).toRotationMatrix(),
-            q.segment<3>(at)};
+    return {read_quaternion(q, at + 3).toRotationMatrix(), q.segment<3>(at)};
   const Pose placed =
       link.parent == Link::world ? link.in_parent : pose[link.parent] * link.in_parent;
   return {placed.R * joint_rotation(link, q, at), placed.p};

@@ -3,7 +3,8 @@
 #include <fmt/format.h>
 
 #include <cmath>
-#include <stdexcept>
+
+#include "solvers/errors.h"
 
 namespace lcp {
 
@@ -11,18 +12,13 @@ namespace {
 
 using Eigen::Quaterniond;
 
-/// How far an axis may be from unit length, a frame from a rotation, and an inertia from symmetry
-/// (relative): rounding.
+/// How far an axis may be from unit length and an inertia from symmetry (relative): rounding.
 constexpr double kRounding = 1e-9;
-
-bool is_rotation(const Matrix3d& R) {
-  return R.allFinite() && R.determinant() > 0 && (R.transpose() * R).isIdentity(kRounding);
-}
 
 void check_link(const std::vector<Link>& links, Index i) {
   const Link& link = links[i];
   const auto require = [&](bool holds, const std::string& what) {
-    if (!holds) throw std::invalid_argument(fmt::format("link {} '{}': {}", i, link.name, what));
+    if (!holds) throw InvalidArgument("link {} '{}': {}", i, link.name, what);
   };
   require(link.parent >= Link::world && link.parent < i,
           fmt::format("parent is {}, expected -1 (the world) ... {}", link.parent, i - 1));
@@ -47,7 +43,7 @@ void check_link(const std::vector<Link>& links, Index i) {
 void check_loop(const std::vector<Loop>& loops, Index i, Index links) {
   const Loop& loop = loops[i];
   const auto require = [&](bool holds, const std::string& what) {
-    if (!holds) throw std::invalid_argument(fmt::format("loop {} '{}': {}", i, loop.name, what));
+    if (!holds) throw InvalidArgument("loop {} '{}': {}", i, loop.name, what);
   };
   require(loop.link1 >= Link::world && loop.link1 < links && loop.link2 >= 0 &&
               loop.link2 < links && loop.link1 != loop.link2,
@@ -64,16 +60,6 @@ void check_loop(const std::vector<Loop>& loops, Index i, Index links) {
           fmt::format("closing rate is {} 1/s, expected at least 0", loop.closing_rate));
 }
 
-/// Where the quaternion of a joint begins among its coordinates; -1 without one.
-Index quaternion_of(JointKind kind) {
-  if (kind == JointKind::ball) return 0;
-  return kind == JointKind::free ? 3 : -1;
-}
-
-Quaterniond read_quaternion(const VectorXd& q, Index at) {
-  return Quaterniond(q(at + 3), q(at), q(at + 1), q(at + 2));
-}
-
 void write_quaternion(const Quaterniond& rotation, VectorXd& q, Index at) {
   q.segment<4>(at) = rotation.coeffs();
 }
@@ -85,36 +71,6 @@ Quaterniond rotation_by(const Vector3d& angles) {
 }
 
 }  // namespace
-
-Index coordinates(JointKind kind) {
-  switch (kind) {
-    case JointKind::fixed:
-      return 0;
-    case JointKind::revolute:
-    case JointKind::prescribed:
-      return 1;
-    case JointKind::ball:
-      return 4;
-    case JointKind::free:
-      return 7;
-  }
-  return 0;
-}
-
-Index velocities(JointKind kind) {
-  switch (kind) {
-    case JointKind::fixed:
-      return 0;
-    case JointKind::revolute:
-    case JointKind::prescribed:
-      return 1;
-    case JointKind::ball:
-      return 3;
-    case JointKind::free:
-      return 6;
-  }
-  return 0;
-}
 
 Model::Model(std::vector<Link> links, std::vector<Loop> loops)
     : links_(std::move(links)), loops_(std::move(loops)) {
@@ -139,13 +95,13 @@ double Model::mass() const {
 Index Model::find(const std::string& name) const {
   for (Index i = 0; i < size(); ++i)
     if (links_[i].name == name) return i;
-  throw std::invalid_argument(fmt::format("model has no link '{}'", name));
+  throw InvalidArgument("model has no link '{}'", name);
 }
 
 State state_at_zero(const Model& model) {
   State state{VectorXd::Zero(model.coordinates()), VectorXd::Zero(model.velocities()), 0};
   for (Index i = 0; i < model.size(); ++i)
-    if (const Index at = quaternion_of(model.link(i).joint); at >= 0)
+    if (const Index at = joint_sizes(model.link(i).joint).quaternion; at >= 0)
       state.q(model.q_of(i) + at + 3) = 1;
   return state;
 }
@@ -199,7 +155,7 @@ VectorXd moved(const Model& model, const VectorXd& q, const VectorXd& u, double 
 
 void normalise(const Model& model, VectorXd& q) {
   for (Index i = 0; i < model.size(); ++i)
-    if (const Index at = quaternion_of(model.link(i).joint); at >= 0)
+    if (const Index at = joint_sizes(model.link(i).joint).quaternion; at >= 0)
       q.segment<4>(model.q_of(i) + at).normalize();
 }
 

@@ -51,8 +51,22 @@ struct Loop {
   double closing_rate = 100;          ///< r, 1/s; 0: errors stay.
 };
 
-Index coordinates(JointKind kind);
-Index velocities(JointKind kind);
+/// How many coordinates and velocities a joint has.
+struct JointSizes {
+  Index coordinates, velocities;
+  Index quaternion = -1;  ///< Where one begins among the coordinates; -1 without one.
+};
+constexpr JointSizes joint_sizes(JointKind kind) {
+  constexpr JointSizes sizes[] = {{0, 0}, {1, 1}, {1, 1}, {4, 3, 0}, {7, 6, 3}};
+  return sizes[static_cast<int>(kind)];
+}
+constexpr Index coordinates(JointKind kind) { return joint_sizes(kind).coordinates; }
+constexpr Index velocities(JointKind kind) { return joint_sizes(kind).velocities; }
+
+/// The rotation whose quaternion begins at `at`.
+inline Eigen::Quaterniond read_quaternion(const VectorXd& q, Index at) {
+  return Eigen::Quaterniond(q(at + 3), q(at), q(at + 1), q(at + 2));
+}
 
 /// Links with the places of their coordinates in the vectors q and u of the whole, and loops.
 class Model {

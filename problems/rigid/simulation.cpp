@@ -1,9 +1,9 @@
 #include "problems/rigid/simulation.h"
 
-#include <fmt/format.h>
-
 #include <cmath>
 #include <stdexcept>
+
+#include "solvers/errors.h"
 
 namespace lcp {
 
@@ -22,18 +22,16 @@ Simulation::Simulation(System system, Stepping stepping)
       joint_space_(system_->model, system_->handles) {
   const Model& model = system_->model;
   if (!(stepping_.dt > 0) || !std::isfinite(stepping_.dt))
-    throw std::invalid_argument(
-        fmt::format("simulation: dt is {} s, expected a positive time", stepping_.dt));
+    throw InvalidArgument("simulation: dt is {} s, expected a positive time", stepping_.dt);
   if (model.size() == 0) throw std::invalid_argument("simulation: the model has no links");
   if (state_.q.size() != model.coordinates() || state_.u.size() != model.velocities())
-    throw std::invalid_argument(fmt::format(
+    throw InvalidArgument(
         "simulation: the start has {} coordinates and {} velocities, expected {} and {}",
-        state_.q.size(), state_.u.size(), model.coordinates(), model.velocities()));
+        state_.q.size(), state_.u.size(), model.coordinates(), model.velocities());
   if (!state_.q.allFinite() || !state_.u.allFinite() || !std::isfinite(state_.time))
     throw std::invalid_argument("simulation: the start is not finite");
   if (!(system_->mu >= 0) || !std::isfinite(system_->mu))
-    throw std::invalid_argument(
-        fmt::format("simulation: mu is {}, expected 0 or more", system_->mu));
+    throw InvalidArgument("simulation: mu is {}, expected 0 or more", system_->mu);
   if (!model.prescribed().empty() && !system_->reference)
     throw std::invalid_argument("simulation: prescribed joints without a reference motion");
   if (moves_as_one_body(model) && !system_->pull)
@@ -47,14 +45,14 @@ void Simulation::require_sound(const ContactProblem& contacts) const {
   try {
     check(contacts, "contact problem");
   } catch (const std::invalid_argument& error) {
-    throw SimulationBroke(fmt::format("simulation: at {} s: {}", state_.time, error.what()));
+    throw SimulationBroke("simulation: at {} s: {}", state_.time, error.what());
   }
 }
 
 void Simulation::step(const ContactSolver& solver, const std::function<void(const Frame&)>& look) {
   const auto broke = [&] {
-    return SimulationBroke(
-        fmt::format("simulation: at {} s the bodies no longer move at finite speed", state_.time));
+    return SimulationBroke("simulation: at {} s the bodies no longer move at finite speed",
+                           state_.time);
   };
   if (!state_.q.allFinite() || !state_.u.allFinite()) throw broke();
   const Vector3d origin = kinematics_of(state_, Vector3d::Zero()).pose.front().p;

@@ -3,11 +3,11 @@
 #include <functional>
 #include <memory>
 #include <optional>
-#include <stdexcept>
 
 #include "problems/contact/contact_solution.h"
 #include "problems/rigid/contact_dynamics.h"
 #include "problems/rigid/joint_space.h"
+#include "solvers/errors.h"
 
 namespace lcp {
 
@@ -27,7 +27,7 @@ struct System {
   /// Points at which links touch; ids name bodies as body_of. Their normal velocities are filled in.
   /// May stay empty where nothing ever touches.
   std::function<std::vector<ContactPoint>(const Kinematics&)> collide = {};
-  /// Forces that pull at links besides gravity and contacts. May stay empty where none do.
+  /// Forces that pull at links besides gravity and contacts. May stay empty where no such force acts.
   std::function<std::vector<PointForce>(double time, const Kinematics&)> pull = {};
   double mu = 0.5;                      ///< Of every contact.
   Vector3d gravity = {0, 0, -9.80665};  ///< m/s^2.
@@ -73,8 +73,8 @@ struct Frame {
 };
 
 /// Bodies no longer move at finite speed, as under the forces of a solver that is wrong.
-struct SimulationBroke : std::runtime_error {
-  using std::runtime_error::runtime_error;
+struct SimulationBroke : Formatted<std::runtime_error> {
+  using Formatted::Formatted;
 };
 
 /// Steps a system through time, with a solver in the loop. Deterministic.

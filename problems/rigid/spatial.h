@@ -27,6 +27,12 @@ struct Pose {
   Pose operator*(const Pose& inner) const { return {R * inner.R, R * inner.p + p}; }
 };
 
+/// Up to rounding.
+inline bool is_rotation(const Matrix3d& R) {
+  constexpr double rounding = 1e-9;
+  return R.allFinite() && R.determinant() > 0 && (R.transpose() * R).isIdentity(rounding);
+}
+
 inline Vector6d stack(const Vector3d& top, const Vector3d& bottom) {
   Vector6d whole;
   whole << top, bottom;

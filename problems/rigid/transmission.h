@@ -7,7 +7,7 @@ namespace lcp {
 /// What the joint between two bodies transmits, at the joint in world axes.
 struct Transmission {
   Space T;  ///< Columns span the forces that hold: T'S = 0 for the motions S it allows.
-  Space F;  ///< Torques that drive it, S'F = 1; a loop's joint has none.
+  Space F;  ///< Torques that drive it, S'F = 1; a loop's joint has no such torques.
 };
 
 /// Of the joint that carries a link; a prescribed joint transmits all, T = 1, a free one nothing.

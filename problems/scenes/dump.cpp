@@ -22,8 +22,8 @@ CorpusDump::CorpusDump(std::string directory, std::string scene, std::string dri
   std::error_code error;
   if (fs::exists(directory_, error) &&
       !(fs::is_directory(directory_, error) && fs::is_empty(directory_, error)))
-    throw UnwritableOutput(
-        fmt::format("{}: exists already, expected a new directory for the corpus", directory_));
+    throw UnwritableOutput("{}: exists already, expected a new directory for the corpus",
+                           directory_);
   make_directories(directory_);
 }
 

@@ -10,7 +10,7 @@ namespace lcp {
 
 /// Writes the LCPs of a simulation as a corpus: a directory of files (shards) of 100 frames each,
 /// which load_instances reads as one. A shard appears complete or not at all, so that whatever ends
-/// the program, what stands there is readable.
+/// the program, everything written so far is readable.
 ///
 /// A frame with contact gives the frictional and the frictionless LCP, each with the contact matrix
 /// of the ADA and with its clean twin (Simulation::clean_contacts), unless the scene is simulated

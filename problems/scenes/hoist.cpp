@@ -45,8 +45,7 @@ OptionTable knob_table(HoistKnobs& knobs) {
       real("lift", knobs.lift, 0, 1, "of the chain above rod and floor at the start, m"),
       real("toss", knobs.toss, 0, 5, "upward speed of the chain at the start, m/s"),
       real("pull", knobs.pull, 0, 0.5, "way of the hand over the length of the chain"),
-      choice("surfaces", knobs.surfaces, {"exact", "mesh"},
-             "boxes and a round rod, or triangles in their place"),
+      choice("surfaces", knobs.surfaces, "boxes and a round rod, or triangles in their place"),
   };
   return with_stepping_knobs(std::move(own), knobs.stepping);
 }

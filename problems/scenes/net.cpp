@@ -34,8 +34,7 @@ OptionTable knob_table(NetKnobs& knobs) {
       count("strings", knobs.strings, 2, 32, "even: half of them along x, the others along y"),
       count("cylinders", knobs.cylinders, 0, 64, "that fall on the net"),
       real("gap", knobs.gap, 0, 0.1, "between cylinders and net, and among them, at the start, m"),
-      choice("surfaces", knobs.surfaces, {"exact", "mesh"},
-             "round surfaces, or triangles in their place"),
+      choice("surfaces", knobs.surfaces, "round surfaces, or triangles in their place"),
   };
   return with_stepping_knobs(std::move(own), knobs.stepping);
 }

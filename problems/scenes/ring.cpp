@@ -38,8 +38,7 @@ OptionTable knob_table(RingKnobs& knobs) {
       count("corners", knobs.corners, 4, 128, "of a ring, a multiple of 4; 64: round"),
       real("gap", knobs.gap, 0, 0.02, "between rings at the start, m"),
       real("tilt", knobs.tilt, 0, 60, "of the chain at the start, degrees"),
-      choice("surfaces", knobs.surfaces, {"exact", "mesh"},
-             "round wires, or triangles in their place"),
+      choice("surfaces", knobs.surfaces, "round wires, or triangles in their place"),
   };
   return with_stepping_knobs(std::move(own), knobs.stepping);
 }

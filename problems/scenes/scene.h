@@ -1,13 +1,11 @@
 #pragma once
 
-#include <functional>
-#include <memory>
 #include <string>
 #include <vector>
 
 #include "problems/collision/shape.h"
 #include "problems/rigid/simulation.h"
-#include "solvers/options.h"
+#include "solvers/catalogue.h"
 
 namespace lcp {
 
@@ -21,14 +19,10 @@ struct SceneSetup {
       {};  ///< For pictures: bodies, and a floor if there is one.
 };
 
-/// A scene of the catalogue with its knobs set.
-class Scene {
- public:
-  virtual ~Scene() = default;
-  /// Deterministic. Throws std::invalid_argument when knobs contradict one another.
-  virtual SceneSetup set_up() const = 0;
-  /// Live access to the knobs.
-  virtual OptionTable options() = 0;
+/// A scene of the catalogue with its knobs set, which sets it up. Deterministic. Throws
+/// std::invalid_argument when knobs contradict one another.
+struct Scene : Configured<SceneSetup()> {
+  static constexpr const char* kind = "scene";
 };
 
 struct SceneInfo {
@@ -37,10 +31,9 @@ struct SceneInfo {
   std::string source;
 };
 
-struct SceneRow {
-  SceneInfo info;
-  std::function<std::unique_ptr<Scene>()> make;
-};
+using SceneRow = CatalogueRow<SceneInfo, Scene>;
+/// Registers a scene; `make(Knobs)` sets it up.
+using SceneRegistration = Registered<SceneInfo, Scene>;
 
 /// All scenes, sorted by name.
 const std::vector<SceneRow>& scenes();
@@ -74,29 +67,5 @@ struct SteppingKnobs {
 
 /// A scene's own knobs followed by these.
 OptionTable with_stepping_knobs(OptionTable table, SteppingKnobs& knobs);
-
-/// Registers a scene for as long as the program runs; construct it at the foot of its file.
-/// `table(Knobs&)` lists the knobs, `make(Knobs)` sets the scene up.
-struct SceneRegistration {
-  template <class Knobs, class Table, class Make>
-  SceneRegistration(SceneInfo info, Knobs defaults, Table table, Make make) {
-    class Registered final : public Scene {
-     public:
-      Registered(Knobs knobs, Table list, Make make_setup)
-          : knobs_(std::move(knobs)), list_(list), make_(make_setup) {}
-      SceneSetup set_up() const override { return make_(knobs_); }
-      OptionTable options() override { return list_(knobs_); }
-
-     private:
-      Knobs knobs_;
-      Table list_;
-      Make make_;
-    };
-    add({std::move(info), [=] { return std::make_unique<Registered>(defaults, table, make); }});
-  }
-
- private:
-  static void add(SceneRow row);
-};
 
 }  // namespace lcp

@@ -1,8 +1,6 @@
 #include "problems/scenes/solid_bodies.h"
 
-#include <fmt/format.h>
-
-#include <stdexcept>
+#include "solvers/errors.h"
 
 namespace lcp {
 
@@ -64,7 +62,7 @@ struct SolidInertia {
   Matrix3d operator()(const Mesh&) const { return refuse("mesh"); }
 
   static Matrix3d refuse(const char* kind) {
-    throw std::invalid_argument(fmt::format("solid inertia: a {} has none", kind));
+    throw InvalidArgument("solid inertia: a {} has none", kind);
   }
 };
 

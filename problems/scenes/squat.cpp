@@ -37,8 +37,7 @@ OptionTable knob_table(SquatKnobs& knobs) {
       real("drop", knobs.drop, 0, 0.07, "by which the centre of mass goes down, m"),
       real("period", knobs.period, 0.2, 100, "of going down and up, s"),
       real("swing", knobs.swing, 0, 1.5, "of the arms to the front, rad"),
-      choice("surfaces", knobs.surfaces, {"exact", "mesh"},
-             "points of the soles, or all vertices of their triangles"),
+      choice("surfaces", knobs.surfaces, "points of the soles, or all vertices of their triangles"),
   };
   return with_stepping_knobs(std::move(own), knobs.stepping);
 }

@@ -52,8 +52,7 @@ OptionTable knob_table(TapDanceKnobs& knobs) {
       real("turn", knobs.turn, -120, 120, "of the robot, degrees"),
       real("stance", knobs.stance, 0.08, 0.2, "between the middles of the soles, m"),
       real("height", knobs.height, 0.2, 0.27, "of the centre of mass, m"),
-      choice("surfaces", knobs.surfaces, {"exact", "mesh"},
-             "points of the soles, or all vertices of their triangles"),
+      choice("surfaces", knobs.surfaces, "points of the soles, or all vertices of their triangles"),
   };
   return with_stepping_knobs(std::move(own), knobs.stepping);
 }

@@ -67,8 +67,8 @@ class Basis {
   Index z0_place_ = -1;           ///< Place of z0 in A_rows_, or -1.
   std::vector<Index> w_of_row_;   ///< Row i held w of this index then; 0 for the rows A.
   Eigen::PartialPivLU<MatrixXd> lu_;
-  VectorXd kernel_residual_;  ///< q_R + M_RA x_A of the last factorisation,
-  double kernel_error_ = 0;   ///< and its maximum norm.
+  VectorXd kernel_residual_;  ///< q_R + M_RA x_A of the last factorisation.
+  double kernel_error_ = 0;   ///< Maximum norm of kernel_residual_.
   double drift_ = 0;          ///< Estimate of what the pivots since have added to it: the sum of
                               ///< machine epsilon (1 + |theta|) growth_.
   double growth_ = 1;         ///< Largest |m'|_inf and |m'|_inf / |m'_s| since.

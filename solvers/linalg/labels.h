@@ -38,7 +38,7 @@ class Labels {
   bool is_w(Variable v) const { return v < n_; }
   /// i of w_i or z_i.
   Index index(Variable v) const { return is_w(v) ? v : v - n_; }
-  /// w_i for z_i and z_i for w_i; z0 has none.
+  /// w_i for z_i and z_i for w_i; z0 has no complement.
   Variable complement(Variable v) const { return is_w(v) ? z(v) : w(v - n_); }
 
   Variable basic(Index row) const { return basic_[row]; }

@@ -14,7 +14,7 @@ namespace lcp {
 /// |x| below which exp(-x) - 1 = -x + x^2 / 2 to a relative 2e-17.
 constexpr double kShortSeries = 1e-8;
 
-/// Two rows at a time: what every x86-64 has.
+/// Two rows at a time, as every x86-64 can.
 using Pair = double __attribute__((vector_size(16)));
 
 inline Pair pair_at(const double* from) {
@@ -29,7 +29,7 @@ inline Pair both(double x) { return Pair{x, x}; }
 struct Pricing {
   double epsilon = 0;          ///< min q' may fall to -epsilon.
   double grid = 1;             ///< Costs are whole multiples of this.
-  bool clean_is_free = false;  ///< A pivot with q_min above -grid/2 costs 0, and none less.
+  bool clean_is_free = false;  ///< A pivot with q_min above -grid/2 costs 0, never less.
   bool as_printed = false;     ///< exp(-q_min) instead of exp(-q_min) - 1.
 
   /// Of a pivot that leaves q_min, in units of the grid.

@@ -10,7 +10,7 @@ OptionTable tableau_option_table(PivotingOptions& options) {
       flag("scale", options.scale, "work on the problem scaled by s_z, s_w; off: in its own units"),
       count_or("max_pivots", options.max_pivots, 1, 1'000'000'000, "auto",
                "basis changes before `limit`; auto: max(1000, 50 n), 2^(n+1) where exponential"),
-      choice("restart", options.restart, {"none", "cold"},
+      choice("restart", options.restart,
              "when a starting basis is singular: claim `singular`, or solve from scratch"),
   };
 }

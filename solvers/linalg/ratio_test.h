@@ -6,7 +6,7 @@
 
 namespace lcp {
 
-/// What Step 1 chose.
+/// The choice of Step 1.
 struct Blocking {
   Index row = -1;    ///< Row of the blocking variable y_s; -1: nothing blocks (ray).
   double ratio = 0;  ///< -q'_s / m'_s.

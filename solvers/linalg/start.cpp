@@ -1,10 +1,9 @@
 #include "solvers/linalg/start.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <limits>
-#include <stdexcept>
+
+#include "solvers/errors.h"
 
 namespace lcp {
 
@@ -32,10 +31,9 @@ std::vector<Index> checked_alpha(const std::vector<Index>& alpha, Index n) {
   std::sort(sorted.begin(), sorted.end());
   for (std::size_t k = 0; k < sorted.size(); ++k) {
     if (sorted[k] < 0 || sorted[k] >= n)
-      throw std::invalid_argument(
-          fmt::format("starting basis holds row {}, expected 0 ... {}", sorted[k], n - 1));
+      throw InvalidArgument("starting basis holds row {}, expected 0 ... {}", sorted[k], n - 1);
     if (k > 0 && sorted[k] == sorted[k - 1])
-      throw std::invalid_argument(fmt::format("starting basis holds row {} twice", sorted[k]));
+      throw InvalidArgument("starting basis holds row {} twice", sorted[k]);
   }
   return sorted;
 }

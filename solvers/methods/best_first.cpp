@@ -80,16 +80,15 @@ OptionTable option_table(BestFirstOptions& options, OptionTable pivoting) {
       real("e_max", options.e_max, 0, 1,
            "largest |w - M z - q - z0 c| a node may have when opened; scale worked in")
           .accuracy({"1e-03", "1e-06", "1e-09", "1e-12"}),
-      choice("ties", options.ties, {"deepest", "lifo", "fifo"},
+      choice("ties", options.ties,
              "nodes of equal cost: deeper first, then earlier generated; newest; oldest first"),
-      choice("step0", options.step0, {"argmin", "branch"},
+      choice("step0", options.step0,
              "Step 0 takes the least q_i, or every row is a candidate as in Step 1"),
-      choice("cost", options.cost, {"excess", "printed"},
-             "a pivot costs exp(-q_min) - 1, or exp(-q_min) as printed"),
+      choice("cost", options.cost, "a pivot costs exp(-q_min) - 1, or exp(-q_min) as printed"),
       real("cost_grid", options.cost_grid, 1e-15, 1,
            "costs are rounded to multiples of this, so that the C library's exp decides nothing"),
       choice(
-          "order", options.order, {"pivot", "row", "lexicographic"},
+          "order", options.order,
           "siblings of equal cost: larger pivots first; by row; or the lexicographic rule's choice "
           "first, and then pivots with q_min above -cost_grid/2 cost 0"),
       real("delta", options.delta, 0, 1, "tie threshold of order=lexicographic; scale worked in"),
@@ -441,27 +440,35 @@ Result solve(const Problem& problem, const BestFirstOptions& options, const Call
   return result;
 }
 
+const InSuites seldom_ends{.settings = {"max_nodes=300"}, .place = 3};  // More takes minutes.
+
 const Registration best_first{
-    {"best-first", "best-first search over pivot candidates, on a factorised basis, scaled",
-     "Yamane and Nakamura 2008, III, with minus the depth as heuristic", RowInfo::Kind::pivoting,
-     "2"},
+    {.name = "best-first",
+     .summary = "best-first search over pivot candidates, on a factorised basis, scaled",
+     .source = "Yamane and Nakamura 2008, III, with minus the depth as heuristic",
+     .version = "2",
+     .in_suites = {.place = 3}},
     BestFirstOptions{},
     factorised_options,
     solve<Basis>};
 
 const Registration best_first_lexicographic{
-    {"best-first-lexicographic",
-     "the same, opening the lexicographic rule's choice first among siblings of equal cost",
-     "best-first with the order of Yamane and Nakamura 2008, II-B; ours", RowInfo::Kind::pivoting,
-     "2"},
+    {.name = "best-first-lexicographic",
+     .summary =
+         "the same, opening the lexicographic rule's choice first among siblings of equal cost",
+     .source = "best-first with the order of Yamane and Nakamura 2008, II-B; ours",
+     .version = "2",
+     .in_suites = {.place = 3}},
     BestFirstOptions{.order = Order::lexicographic},
     factorised_options,
     solve<Basis>};
 
 const Registration best_first_tableau{
-    {"best-first-tableau",
-     "the same search on an incrementally updated tableau with the paper's constants",
-     "Yamane and Nakamura 2008, III and V", RowInfo::Kind::pivoting, "2"},
+    {.name = "best-first-tableau",
+     .summary = "the same search on an incrementally updated tableau with the paper's constants",
+     .source = "Yamane and Nakamura 2008, III and V",
+     .version = "2",
+     .in_suites = seldom_ends},
     BestFirstOptions{.epsilon = 1e-3,
                      .e_max = 1e-3,
                      .order = Order::row,
@@ -472,8 +479,10 @@ const Registration best_first_tableau{
     solve<Tableau>};
 
 const Registration best_first_uniform{
-    {"best-first-uniform", "best-first with the cost exactly as printed (no depth term)",
-     "Yamane and Nakamura 2008, Algorithm 2, line 7"},
+    {.name = "best-first-uniform",
+     .summary = "best-first with the cost exactly as printed (no depth term)",
+     .source = "Yamane and Nakamura 2008, Algorithm 2, line 7",
+     .in_suites = seldom_ends},
     BestFirstOptions{.cost = Cost::printed, .order = Order::row, .patience = 0},
     factorised_options,
     solve<Basis>};

@@ -44,16 +44,20 @@ Result solve(const Problem& problem, const PivotingOptions& options, const Call&
 }
 
 const Registration lemke{
-    {"lemke",
-     "Lemke on an explicit tableau: minimum ratio, lowest row on a tie, no pivot tolerance",
-     "Yamane and Nakamura 2008, II-A and V-A"},
+    {.name = "lemke",
+     .summary =
+         "Lemke on an explicit tableau: minimum ratio, lowest row on a tie, no pivot tolerance",
+     .source = "Yamane and Nakamura 2008, II-A and V-A",
+     .in_suites = {.place = 1}},
     PivotingOptions{},
     tableau_option_table,
     solve<Tableau>};
 
 const Registration lemke_revised{
-    {"lemke-revised", "the same rule on a factorised basis, with a pivot tolerance, scaled",
-     "revised form of Yamane and Nakamura 2008, II-A"},
+    {.name = "lemke-revised",
+     .summary = "the same rule on a factorised basis, with a pivot tolerance, scaled",
+     .source = "revised form of Yamane and Nakamura 2008, II-A",
+     .in_suites = {.place = 2}},
     PivotingOptions{.pivot = 1e-12, .scale = true, .refactor_every = 16},
     factorised_option_table,
     solve<Basis>};

@@ -76,23 +76,32 @@ Result solve(const Problem& problem, const LexicographicOptions& options, const 
       LexicographicRule{{options.pivoting.pivot, options.delta, z0}});
 }
 
+const InSuites at_four_deltas{.settings = {"delta=0", "delta=1e-8", "delta=1e-6", "delta=1e-4"},
+                              .place = 1};
+
 const Registration lexicographic{
-    {"lexicographic",
-     "Lemke with lexicographic ties within delta on an explicit tableau, no pivot tolerance",
-     "Yamane and Nakamura 2008, II-B and V-A"},
+    {.name = "lexicographic",
+     .summary =
+         "Lemke with lexicographic ties within delta on an explicit tableau, no pivot tolerance",
+     .source = "Yamane and Nakamura 2008, II-B and V-A",
+     .in_suites = at_four_deltas},
     LexicographicOptions{},
     tableau_options,
     solve<Tableau>};
 
-const Registration lexicographic_pivot{
-    {"lexicographic-pivot", "the same with a pivot tolerance", "lexicographic, ours"},
-    LexicographicOptions{.pivoting = {.pivot = 1e-10}},
-    tableau_options,
-    solve<Tableau>};
+const Registration lexicographic_pivot{{.name = "lexicographic-pivot",
+                                        .summary = "the same with a pivot tolerance",
+                                        .source = "lexicographic, ours",
+                                        .in_suites = at_four_deltas},
+                                       LexicographicOptions{.pivoting = {.pivot = 1e-10}},
+                                       tableau_options,
+                                       solve<Tableau>};
 
 const Registration lexicographic_revised{
-    {"lexicographic-revised", "the same rule on a factorised basis, with a pivot tolerance, scaled",
-     "revised form of Yamane and Nakamura 2008, II-B"},
+    {.name = "lexicographic-revised",
+     .summary = "the same rule on a factorised basis, with a pivot tolerance, scaled",
+     .source = "revised form of Yamane and Nakamura 2008, II-B",
+     .in_suites = {.place = 2}},
     LexicographicOptions{.pivoting = {.pivot = 1e-12, .scale = true, .refactor_every = 16}},
     revised_options,
     solve<Basis>};

@@ -29,6 +29,7 @@
 #include <limits>
 #include <stdexcept>
 
+#include "solvers/errors.h"
 #include "solvers/linalg/natural_residual.h"
 #include "solvers/registry.h"
 
@@ -255,8 +256,7 @@ Result iterate(const Problem& problem, const GaussSeidelOptions& options, const 
 /// Throws std::invalid_argument unless it has n finite entries.
 const VectorXd& checked_point(const VectorXd& z, Index n) {
   if (z.size() != n)
-    throw std::invalid_argument(
-        fmt::format("starting point has {} entries, expected {}", z.size(), n));
+    throw InvalidArgument("starting point has {} entries, expected {}", z.size(), n);
   if (!z.allFinite()) throw std::invalid_argument("starting point is not finite");
   return z;
 }
@@ -280,7 +280,8 @@ const Registration projected_gauss_seidel{
      .summary = "sweeps over rows, or over contacts with projection onto the friction polygon",
      .source = "Jourdan, Alart, Jean 1998; Cottle, Pang, Stone, 5.2",
      .kind = RowInfo::Kind::iterative,
-     .supports = "a positive diagonal, or contacts with friction blocks"},
+     .supports = "a positive diagonal, or contacts with friction blocks",
+     .in_suites = {.place = 4}},
     GaussSeidelOptions{},
     option_table,
     solve};

@@ -8,7 +8,7 @@
 
 namespace lcp {
 
-/// What every peer's options hold.
+/// Options that every peer has.
 struct PeerOptions {
   bool scale = true;
 };
@@ -29,10 +29,6 @@ class OutsideCall {
   OutsideCall& operator=(const OutsideCall&) = delete;
 };
 
-/// Silences outside calls for the rest of the process, which prints nothing of its own any more: for
-/// one that times them.
-void silence_outside_calls();
-
 /// The LCP as ODE's kernel and its kin take it: A x = b + w with 0 <= x, no friction indices. They
 /// destroy A and b.
 struct BoxedForm {
@@ -52,7 +48,7 @@ Obstacle unsymmetric(const MatrixXd& M, double symmetry);
 Obstacle no_positive_diagonal(const MatrixXd& M);
 /// Unless every M_ii >= 0.
 Obstacle negative_diagonal(const MatrixXd& M);
-/// Where the caller gives a start to a method that knows none.
+/// Where the caller gives a start to a method that cannot take one.
 Obstacle any_start(const Call& call);
 
 /// Claim::unsupported with z = 0.

@@ -230,6 +230,77 @@ class ReportPage(unittest.TestCase):
         self.assertNotEqual({s: row["best"] for s, row in after.items()},
                             {s: before[s]["best"] for s in after})
 
+    def sheet(self, *words):
+        """The groups of the sheet by name, with what it says of each solver."""
+        sheet = json.loads(lcpbench("sheet", str(self.run_directory), "--format", "json",
+                                    "--out", str(self.directory / "sheet"), *words))
+        return {group["name"]: {sheet["settings"][row["setting"]]["solver"]: row
+                                for row in group["rows"]} for group in sheet["groups"]}
+
+    def test_profiles_are_those_of_the_sheet(self):
+        for measure in ("time", "pivots", "nodes"):
+            groups = self.sheet("--measure", measure)
+            self.browser.choose("#measure", measure)
+            for corpus in ("squat-like", "published", "all corpora"):
+                self.choose_corpus(corpus)
+                shown = {row["solver"]: row for row in self.browser.run("""
+                    return [...document.querySelectorAll('#profile .numbers tr[data-solver]')].map(
+                      tr => ({ solver: tr.dataset.solver, counted: +tr.dataset.counted,
+                               best: +tr.dataset.best, ratios: tr.dataset.ratios }))""")}
+                expected = {solver: row for solver, row in groups[corpus].items()
+                            if row["profile"]["counted"] > 0}
+                self.assertEqual(set(shown), set(expected), (measure, corpus))
+                for solver, row in expected.items():
+                    self.assertEqual(shown[solver]["counted"], row["profile"]["counted"])
+                    self.assertEqual(shown[solver]["best"], row["best"])
+                    ratios = [float(f"{float(ratio):.4g}") for ratio in shown[solver]["ratios"].split()]
+                    self.assertEqual(len(ratios), len(row["profile"]["reached"]))
+                    for ratio, true in zip(ratios, row["profile"]["reached"]):
+                        self.assertAlmostEqual(ratio, true, delta=2e-3 * true)
+
+    def test_the_front_is_that_of_the_sheet_at_every_tolerance(self):
+        for tolerance in (None, "1e-03", "1e-12"):
+            groups = self.sheet(*(["--tolerance", tolerance] if tolerance else []))
+            if tolerance:
+                self.browser.choose("#tolerance", str(float(tolerance)).replace("e-0", "e-"))
+            for corpus in ("squat-like", "published", "stack", "all corpora"):
+                self.choose_corpus(corpus)
+                shown = dict(self.browser.run("""
+                    return [...document.querySelectorAll('#plane .numbers tr[data-solver]')].map(
+                      tr => [tr.dataset.solver, tr.dataset.front === 'yes'])"""))
+                self.assertEqual(shown, {solver: row["front"]
+                                         for solver, row in groups[corpus].items()})
+
+    def test_cumulative_curves_end_at_the_shares_of_the_sheet(self):
+        self.choose_corpus("squat-like")
+        solvers = list(dict.fromkeys(row["solver"] for row in self.rows))
+        self.browser.choose("#cumulative-of", str(solvers.index("best-first")))
+        tails = self.browser.run("""
+            return [...document.querySelectorAll('#cumulative svg text')].map(t => t.textContent)
+              .filter(words => words.startsWith('to 1e-') || words.startsWith('to 0.'))""")
+        sheet = json.loads(lcpbench("sheet", str(self.run_directory), "--format", "json", "--out",
+                                    str(self.directory / "sheet"), "--corpus", "squat-like"))
+        row = next(row for row in sheet["groups"][0]["rows"]
+                   if sheet["settings"][row["setting"]]["solver"] == "best-first")
+        expected = {float(accuracy): f"{len(curve['reached'])} of {curve['counted']}"
+                    for accuracy, curve in zip(sheet["accuracies"], row["within"])}
+        shown = {float(tail.split(":")[0].removeprefix("to ")): tail.split(": ")[1] for tail in tails}
+        self.assertEqual(shown, expected)
+
+    def test_a_solver_has_the_colour_of_the_other_pictures(self):
+        self.choose_corpus("squat-like")
+        self.sheet()
+        chart = self.directory.joinpath("sheet", "chart.svg").read_text().replace(" ", "")
+        looks = self.browser.run(
+            "return JSON.parse(document.getElementById('data').textContent).variants.map(v => v.look)")
+        self.assertEqual(len({(look["colour"], look["marker"]) for look in looks}), len(looks))
+        for look in looks:
+            self.assertIn(look["colour"], self.browser.run(
+                "return document.querySelector('#plane svg').outerHTML"))
+            red, green, blue = (int(look["colour"][i:i + 2], 16) for i in (1, 3, 5))
+            written = f"rgb({red},{green},{blue})"  # As gnuplot does.
+            self.assertIn(written, chart)
+
     def test_the_mass_on_the_plane_is_the_corpus(self):
         for corpus in ("squat-like", "published"):
             self.choose_corpus(corpus)

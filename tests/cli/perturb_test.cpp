@@ -54,7 +54,7 @@ TEST_F(Perturb, ResumesItsOwnQuestionAlone) {
   ASSERT_EQ(perturb({"--kind", "noise"}).status, 0);
   const Ran again = perturb({"--kind", "noise", "--resume", "--format", "json"});
   EXPECT_EQ(again.status, 0) << again.err;
-  EXPECT_NE(again.err.find("12 rows stood there, 0 are new"), std::string::npos) << again.err;
+  EXPECT_NE(again.err.find("12 rows were there, 0 are new"), std::string::npos) << again.err;
   EXPECT_EQ(again.out, read_text(file("out/flips.json")));
   expect_complaint(perturb({"--kind", "noise"}), 2, "out exists: --resume continues it");
   expect_complaint(perturb({"--kind", "noise", "--seed", "2", "--resume"}), 2,

@@ -43,13 +43,13 @@ class Runs : public ProgramTest {
 TEST_F(Runs, ResumeGoesOnWithWhatIsThereAndBeginsWhereNothingIs) {
   const Ran first = measure("r", {"--resume"});
   EXPECT_EQ(first.status, 0) << first.err;
-  EXPECT_NE(first.err.find("0 rows stood there, 4 are new"), std::string::npos) << first.err;
+  EXPECT_NE(first.err.find("0 rows were there, 4 are new"), std::string::npos) << first.err;
   std::string text = read_text(file("r/rows.jsonl"));
   text.resize(text.find('\n') + 40);
   write_text(file("r/rows.jsonl"), text);
   const Ran second = measure("r", {"--resume"});
   EXPECT_EQ(second.status, 0) << second.err;
-  EXPECT_NE(second.err.find("1 rows stood there, 3 are new"), std::string::npos) << second.err;
+  EXPECT_NE(second.err.find("1 rows were there, 3 are new"), std::string::npos) << second.err;
   EXPECT_EQ(rows("r"), 4);
 }
 
@@ -106,7 +106,7 @@ TEST_F(Runs, SeveralStartsAreRowsOfOneRunAndATableOfGainsAndLosses) {
 
   const Ran left =
       measure("r", {"--start", "previous", "--start", "cold", "--start", "two-step", "--resume"});
-  EXPECT_NE(left.err.find("18 rows stood there, 0 are new"), std::string::npos) << left.err;
+  EXPECT_NE(left.err.find("18 rows were there, 0 are new"), std::string::npos) << left.err;
   expect_complaint(measure("r", {"--resume"}), 2, "start cold, two-step, previous, cold");
   EXPECT_EQ(run({"compare", "r", "r"}).status, 0);
 

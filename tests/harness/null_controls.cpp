@@ -102,7 +102,8 @@ Result write_label(const Problem& problem, const ScribeOptions& options, const C
 }
 
 RowInfo control(const char* name, const char* summary) {
-  return {.name = name, .summary = summary, .source = "null control"};
+  return {
+      .name = name, .summary = summary, .source = "null control", .in_suites = {.settings = {}}};
 }
 
 const Registration rows[] = {

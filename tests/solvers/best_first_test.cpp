@@ -1,3 +1,4 @@
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include "solvers/registry.h"
@@ -75,6 +76,69 @@ TEST(BestFirst, StopsAtTheNodeLimit) {
   const Result result = solve("best-first:max_nodes=3", cases::murty(4));
   EXPECT_EQ(result.claim, Claim::limit);
   EXPECT_EQ(result.work.nodes, 3);
+}
+
+TEST(BestFirst, AllAttemptsTogetherOpenNoMoreThanMaxNodes) {
+  // Murty's problem of order 6 takes 63 pivots, more than any of these limits.
+  for (const Index patience : {0, 1, 3, 4, 7})
+    for (const Index max_nodes : {1, 3, 4, 10, 13, 30}) {
+      const Result result = solve(
+          fmt::format("best-first:patience={},max_nodes={}", patience, max_nodes), cases::murty(6));
+      EXPECT_EQ(result.claim, Claim::limit) << patience << " " << max_nodes;
+      EXPECT_EQ(result.work.nodes, max_nodes) << patience;
+      EXPECT_EQ(result.message, fmt::format("max_nodes={} reached", max_nodes)) << patience;
+    }
+}
+
+TEST(BestFirst, OpensNoMoreNodesThanAllAttemptsMayOnceTheyAllEndEmptyHanded) {
+  // e_max = 0 ends every branch at its first node or soon after, in each attempt anew.
+  const Problem problem = cases::positive_definite(20, 1);
+  const Result all = solve("best-first:e_max=0", problem);
+  ASSERT_GT(all.work.restarts, 0);
+  for (Index max_nodes = 1; max_nodes < all.work.nodes; ++max_nodes)
+    EXPECT_LE(solve(fmt::format("best-first:e_max=0,patience=1,max_nodes={}", max_nodes), problem)
+                  .work.nodes,
+              max_nodes);
+}
+
+TEST(BestFirst, AColdStartIsNoSolutionWhileAnyQIsNegative) {
+  // q = -5e-10 is within epsilon, yet z = 0 is not the solution.
+  const Problem problem = cases::plain(MatrixXd::Identity(2, 2), Eigen::Vector2d(-5e-10, 1));
+  for (const std::string row : {"best-first:scale=off", "best-first-tableau"}) {
+    const Result cold = solve(row, problem);
+    EXPECT_EQ(cold.claim, Claim::solved) << row;
+    EXPECT_GT(cold.work.pivots, 0) << row;
+    EXPECT_EQ(cold.z, Eigen::Vector2d(5e-10, 0)) << row;
+  }
+}
+
+TEST(BestFirst, AStartingBasisIsTheSolutionUpToEpsilon) {
+  const Problem problem = cases::plain(MatrixXd::Identity(2, 2), Eigen::Vector2d(-5e-10, -1));
+  const auto from_row_1 = [&problem](const std::string& row) {
+    return solve(row, problem, {Start{{1}}, nullptr});
+  };
+  const Result within = from_row_1("best-first:scale=off,epsilon=1e-9");
+  EXPECT_EQ(within.claim, Claim::solved);
+  EXPECT_EQ(within.work.pivots, 0);
+  EXPECT_EQ(within.basis, std::vector<Index>{1});
+  EXPECT_GT(from_row_1("best-first:scale=off,epsilon=1e-10").work.pivots, 0);
+}
+
+TEST(BestFirst, LooksAtQAgainOnceTheBasisOfANodeIsFactorised) {
+  // d in 1 + d is far above the rounding of 1, d 2^-20 far below it. The basis {0, 1} is nearly
+  // singular: z_0 = z_1 = 2 / d, and w_2 = -2 + (1 - 2^-20) 2 = -2^-19. In the numbers of the node
+  // before, rows 0 and 2 are tied to the last bit and w_2 is 0, so that z0 leaves; and the basic
+  // solution satisfies w = M z + q to the last bit. The solution is {0, 1, 2}, with z_2 = 2^-19.
+  const double d = 0x1p-36;
+  const MatrixXd M{{1 + d, -1, 0}, {-1, 1 + d, 0}, {d * (1 - 0x1p-20), 0, 1}};
+  const Problem problem = cases::plain(M, VectorXd::Constant(3, -2));
+  for (const std::string row : {"best-first", "best-first:scale=off", "best-first:polish=off"}) {
+    const Result result = solve(row + (row == "best-first" ? ":" : ",") + "patience=0", problem);
+    ASSERT_EQ(result.claim, Claim::solved) << row;
+    EXPECT_EQ(result.basis, (std::vector<Index>{0, 1, 2})) << row;
+    EXPECT_LT(residual(problem, result), 1e-12) << row;
+    EXPECT_GT(result.work.nodes, result.work.path) << row << ": a branch ended";
+  }
 }
 
 TEST(BestFirst, Step0MayBranch) {

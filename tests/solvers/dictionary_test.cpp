@@ -80,6 +80,24 @@ TYPED_TEST(ADictionary, AgreesWithTheInverseOfTheBasisAfterEveryPivot) {
   }
 }
 
+TYPED_TEST(ADictionary, FollowsAVariableThatLeavesSeveralTimes) {
+  const Problem problem = cases::positive_definite(6, 7);
+  const ScaledProblem scaled(problem, true);
+  TypeParam dictionary(scaled, {}, {.refactor_every = 100});
+  const Oracle oracle(scaled, dictionary.covering());
+  const Labels& labels = dictionary.labels();
+  VectorXd column;
+  for (const Index round : {0, 1, 2})
+    for (const Variable entering : {labels.z(2), labels.z(round), labels.w(2)}) {
+      if (labels.is_basic(entering)) continue;
+      dictionary.column(entering, column);
+      const Index row = labels.row_of(labels.complement(entering));
+      ASSERT_GT(std::abs(column(row)), 1e-3) << "the test's pivots must be sound";
+      dictionary.pivot({row, entering}, column);
+      expect_dictionary(dictionary, oracle);
+    }
+}
+
 TYPED_TEST(ADictionary, ReturnsToAnyBasisByItsPath) {
   const Problem problem = cases::positive_definite(6, 7);
   const ScaledProblem scaled(problem, false);

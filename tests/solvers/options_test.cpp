@@ -22,7 +22,7 @@ struct Knobs {
   OptionTable table() {
     return {real("width", width, 0, 1, ""),  real_or("length", length, 0, 1, "width", ""),
             count("steps", steps, 1, 9, ""), count_or("most", most, 1, 9, "auto", ""),
-            flag("open", open, ""),          choice("colour", colour, {"red", "green"}, ""),
+            flag("open", open, ""),          choice("colour", colour, ""),
             text("driver", driver, "")};
   }
   void set(const std::string& spelling) { apply(table(), parse_spelling(spelling), "knobs"); }

@@ -51,10 +51,10 @@ std::vector<PivotCandidate> by_definition(const Column& column) {
   return candidates;
 }
 
-std::vector<PivotCandidate> found(const Column& column) {
+std::vector<PivotCandidate> found(const Column& column, const Pricing& pricing = kPricing) {
   VectorXd ratios;
   std::vector<PivotCandidate> candidates;
-  find_candidates(column.q, column.m, blocks, kPricing, ratios, candidates);
+  find_candidates(column.q, column.m, blocks, pricing, ratios, candidates);
   return candidates;
 }
 
@@ -85,6 +85,54 @@ TEST(PivotCandidates, ManyThatTieAtZeroCostNothing) {
   const std::vector<PivotCandidate> tied = found({VectorXd::Zero(9), VectorXd::Constant(9, -1)});
   ASSERT_EQ(tied.size(), 9U);
   for (const PivotCandidate& candidate : tied) EXPECT_EQ(candidate.cost, 0);
+}
+
+TEST(PivotCandidates, ACleanOneWithALargeRatioHasItsPrice) {
+  // Ratios 0.1 and 0.1001, twice. Pivoting on row 0 leaves 0.1 in all three rows, which earns
+  // 1 - exp(-0.1) in units of 1e-6; the others leave a 0. Nothing is negative at either ratio.
+  const Column column{VectorXd{{1e-9, 100.1, 100.1}}, VectorXd{{-1e-8, -1000, -1000}}};
+  const std::vector<PivotCandidate> candidates = found(column);
+  ASSERT_EQ(candidates.size(), 3U);
+  EXPECT_EQ(candidates[0].cost, std::llround((std::exp(-0.1) - 1) / kPricing.grid));
+  EXPECT_EQ(candidates[1].cost, 0);
+  EXPECT_EQ(candidates[2].cost, 0);
+}
+
+/// Rows 0 and 1, where pivoting on row 0 takes row 1 to -epsilon, give or take a rounding.
+Column at_the_limit(double epsilon, unsigned seed) {
+  std::mt19937_64 random(seed);
+  const double theta = 1 + static_cast<double>(random()) * 0x1p-62;  // all its bits in use
+  const double m = -3 - 2 * static_cast<double>(random() % 6);
+  const double off = 1 + (static_cast<double>(random() % 5) - 2) * 0x1p-53;
+  return {VectorXd{{theta, (-epsilon - m * theta) * off}}, VectorXd{{-1, m}}};
+}
+
+TEST(PivotCandidates, StayAboveMinusEpsilonToTheLastBit) {
+  // A power of two, so that q' may be -epsilon itself, which is not above it.
+  const Pricing pricing{.epsilon = 0x1p-10, .grid = 1e-6};
+  Index kept = 0, dropped = 0;
+  for (unsigned seed = 0; seed < 2000; ++seed) {
+    const Column column = at_the_limit(pricing.epsilon, seed);
+    const std::vector<PivotCandidate> candidates = found(column, pricing);
+    for (const PivotCandidate& candidate : candidates) {
+      const Index other = 1 - candidate.row;
+      EXPECT_GT(column.q(other) + candidate.ratio * column.m(other), -pricing.epsilon) << seed;
+    }
+    (candidates.size() == 2 ? kept : dropped) += 1;
+  }
+  EXPECT_GT(kept, 100);
+  EXPECT_GT(dropped, 100);
+}
+
+TEST(Pricing, CleanPivotsAreFreeWhereAskedForAndElseEarnWhatTheyLeave) {
+  Pricing pricing{.epsilon = kEpsilon, .grid = 1e-6};
+  EXPECT_EQ(pricing.cost(0.1), std::llround((std::exp(-0.1) - 1) / 1e-6));
+  EXPECT_LT(pricing.cost(0.1), 0);
+  const std::int64_t dirty = pricing.cost(-1e-4);
+  pricing.clean_is_free = true;
+  for (const double clean : {0.1, 1e-9, 0.0, -4e-7}) EXPECT_EQ(pricing.cost(clean), 0) << clean;
+  EXPECT_EQ(pricing.cost(-1e-4), dirty);
+  EXPECT_EQ(dirty, 100);
 }
 
 TEST(Pricing, ItsShortSeriesIsExpm1) {

@@ -107,6 +107,21 @@ TEST(Registry, SaysWhatAnAbsentPeerNeeds) {
   }
 }
 
+Row made_up_row(const std::string& name, InSuites in_suites) {
+  return {{.name = name, .summary = "s", .source = "s", .in_suites = std::move(in_suites)}, {}};
+}
+
+TEST(Registry, SuitesRunANewRowAsItIsAfterTheOthersUnlessItSaysOtherwise) {
+  Row peer = made_up_row("a-peer", {});
+  peer.info.outside_library = "Made Up 1";
+  EXPECT_EQ(
+      rows_in_suites({made_up_row("a-new-row", {}), find_row("best-first"), find_row("lemke"), peer,
+                      made_up_row("on-demand", {.settings = {}}),
+                      made_up_row("twice", {.settings = {"k=1", "k=2"}, .place = 1})}),
+      (std::vector<std::string>{"lemke", "twice:k=1", "twice:k=2", "best-first", "a-new-row"}));
+  EXPECT_EQ(rows_in_suites(), rows_in_suites(registry()));
+}
+
 TEST(Registry, OwnStandsForEveryRowButThePeers) {
   const Index before = static_cast<Index>(make_solvers({"own"}).size());
   RowInfo info{.name = "zz-peer", .summary = "s", .source = "s"};

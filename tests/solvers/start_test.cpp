@@ -61,6 +61,17 @@ TEST_P(ARowThatPivots, ClaimsSingularOnAnUnusableStartUnlessToldToRestart) {
   EXPECT_EQ(restarted.work.restarts, 1);
 }
 
+TEST_P(ARowThatPivots, RestartsAsColdAndCountsTheFactorisationOfTheStartAsWell) {
+  const Problem problem = cases::example_4_4_7();
+  const Result cold = solve(problem, {}), refused = solve(problem, {0}),
+               restarted = solve(problem, {0}, ":restart=cold");
+  EXPECT_EQ(refused.work.factorisations, 1);
+  EXPECT_EQ(restarted.work.factorisations, cold.work.factorisations + 1);
+  EXPECT_EQ(restarted.work.pivots, cold.work.pivots);
+  EXPECT_EQ(restarted.claim, cold.claim);
+  EXPECT_EQ(restarted.basis, cold.basis);
+}
+
 TEST_P(ARowThatPivots, RefusesAStartThatIsNotASetOfRows) {
   const Problem problem = cases::example_4_4_7();
   EXPECT_THROW(solve(problem, {3}), std::invalid_argument);

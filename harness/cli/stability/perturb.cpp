@@ -130,7 +130,7 @@ int perturb(const PerturbArguments& arguments) {
         interrupted);
   }
   if (measurement.resume)
-    fmt::print(stderr, "{} rows stood there, {} are new\n", report.rows_before, report.rows);
+    fmt::print(stderr, "{} rows were there, {} are new\n", report.rows_before, report.rows);
   if (interrupted)
     return report_interruption(fmt::format("{} rows", report.rows_before + report.rows), out);
   const Flips flips = count_flips(plan.instances, read_run(out), options, arguments.same);

@@ -9,8 +9,10 @@ namespace lcp {
 
 /// Something that a picture shows of a scene.
 struct SceneBody {
-  collision::Shape shape;
-  unsigned colour = 0;  ///< 0xRRGGBB in full light.
+  Index link = Link::world;
+  Pose in_link = {};
+  collision::Mesh surface;  ///< In its own frame, fine enough for a picture.
+  unsigned colour = 0;      ///< 0xRRGGBB in full light.
 
   Pose in_world(const Snapshot& snapshot) const;
 };
@@ -24,8 +26,12 @@ std::vector<SceneBody> scene_bodies(const SceneSetup& setup);
 /// Whether the half-space z <= 0 of the world is among the shapes.
 bool has_floor(const SceneSetup& setup);
 
-/// What lies within or near `region` (m, world) of a rod or beam of the world, which may be much
-/// longer than what a picture is about; other shapes, and what is elsewhere, as they are.
-collision::Shape near_part(const collision::Shape& shape, const Eigen::AlignedBox3d& region);
+/// The surface of a shape. The wire of a ring is a capsule from each corner to the next. None for a
+/// half-space.
+collision::Mesh surface_of(const collision::Geometry& geometry);
+
+/// Shortens rods and beams of the world, which may be much longer than what a picture is about, to
+/// what lies within or near `region` (m, world), along their axes; what is elsewhere stays as it is.
+void keep_near(SceneBody& body, const Eigen::AlignedBox3d& region);
 
 }  // namespace lcp

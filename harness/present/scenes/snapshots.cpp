@@ -31,8 +31,8 @@ void Snapshots::look(const Frame& frame) {
 std::vector<double> evenly_spread(double duration, Index count) {
   std::vector<double> times;
   for (Index i = 0; i < count; ++i)
-    times.push_back(
-        count == 1 ? 0 : duration * static_cast<double>(i) / static_cast<double>(count - 1));
+    times.push_back(duration * static_cast<double>(i) /
+                    static_cast<double>(std::max<Index>(1, count - 1)));
   return times;
 }
 

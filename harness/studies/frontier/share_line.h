@@ -78,15 +78,6 @@ struct ShareLine {
   std::vector<double> crossings;
 };
 
-constexpr auto names_of(ShareLine::Kind) {
-  using enum ShareLine::Kind;
-  return EnumNames{"line", std::to_array<EnumName<ShareLine::Kind>>({{crossing, "crossing"},
-                                                                     {above, "above"},
-                                                                     {below, "below"},
-                                                                     {several, "several"},
-                                                                     {nothing, "nothing"}})};
-}
-
 /// Cells without counted draws are left out.
 ShareLine find_line(const std::vector<SharePoint>& points);
 

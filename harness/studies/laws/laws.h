@@ -18,13 +18,6 @@ struct LawOutcome {
   std::string detail;  ///< What broke the law, or why it does not apply.
 };
 
-/// As a reader sees them.
-constexpr auto names_of(LawOutcome::Status) {
-  using enum LawOutcome::Status;
-  return EnumNames{"outcome", std::to_array<EnumName<LawOutcome::Status>>(
-                                  {{holds, "ok"}, {broken, "FAIL"}, {not_applicable, "n/a"}})};
-}
-
 /// Something every row of the registry must obey, whatever its method.
 struct Law {
   std::string name;

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <stdexcept>
 
 namespace lcp {
@@ -14,54 +15,42 @@ namespace {
 constexpr double kSameTime = 1e-6;
 
 /// Reads off what a track held at any time, linearly between frames.
-class Reader {
- public:
-  explicit Reader(const Track& track) : track_(track) {}
+struct Reader {
+  const Track& track;
 
   bool reaches(double time) const {
-    return track_.frames() > 0 && time <= track_.time(track_.frames() - 1) + kSameTime * track_.dt;
+    return track.frames() > 0 && time <= track.time(track.frames() - 1) + kSameTime * track.dt;
   }
-  /// As it was at the first frame before that.
-  VectorXd column(const MatrixXd& values, double time) const {
-    const Place at = place(time);
-    if (at.share == 0) return values.col(at.frame);
-    return (1 - at.share) * values.col(at.frame) + at.share * values.col(at.frame + 1);
+  /// A number, or a column; before the first frame as in that.
+  template <class Values>
+  auto at(Values Track::*values, double time) const {
+    const auto in_frame = [&](Index frame) {
+      if constexpr (std::is_same_v<Values, VectorXd>)
+        return (track.*values)(frame);
+      else
+        return VectorXd((track.*values).col(frame));
+    };
+    const double last = static_cast<double>(track.frames() - 1);
+    const double steps = std::clamp((time - track.time(0)) / track.dt, 0.0, last);
+    const double nearest = std::round(steps), share = steps - std::floor(steps);
+    if (std::abs(steps - nearest) < kSameTime) return in_frame(static_cast<Index>(nearest));
+    const Index frame = static_cast<Index>(steps);
+    return decltype(in_frame(0))((1 - share) * in_frame(frame) + share * in_frame(frame + 1));
   }
-  double value(const VectorXd& values, double time) const {
-    const Place at = place(time);
-    if (at.share == 0) return values(at.frame);
-    return (1 - at.share) * values(at.frame) + at.share * values(at.frame + 1);
-  }
-
- private:
-  struct Place {
-    Index frame;
-    double share;  ///< Of the step after it.
-  };
-
-  Place place(double time) const {
-    const double last = static_cast<double>(track_.frames() - 1);
-    const double steps = std::clamp((time - track_.time(0)) / track_.dt, 0.0, last);
-    const double nearest = std::round(steps);
-    if (std::abs(steps - nearest) < kSameTime) return {static_cast<Index>(nearest), 0};
-    return {static_cast<Index>(steps), steps - std::floor(steps)};
-  }
-
-  const Track& track_;
 };
 
-/// Largest length of the 3-vectors that are stacked in `stacked`.
-double largest_of_three(const VectorXd& stacked) {
-  double most = 0;
-  for (Index i = 0; i + 2 < stacked.size(); i += 3)
-    most = std::max(most, stacked.segment<3>(i).norm());
-  return most;
+/// Lengths of the 3-vectors that are stacked in `stacked`.
+VectorXd lengths_of_three(const VectorXd& stacked) {
+  VectorXd lengths(stacked.size() / 3);
+  for (Index i = 0; i < lengths.size(); ++i) lengths(i) = stacked.segment<3>(3 * i).norm();
+  return lengths;
 }
 
-double mean_of_three(const VectorXd& stacked) {
-  double sum = 0;
-  for (Index i = 0; i + 2 < stacked.size(); i += 3) sum += stacked.segment<3>(i).norm();
-  return stacked.size() > 0 ? 3 * sum / static_cast<double>(stacked.size()) : 0;
+double largest_or_0(const VectorXd& values) { return values.size() > 0 ? values.maxCoeff() : 0; }
+
+double mean_or_0(const VectorXd& values) {
+  const double sum = std::accumulate(values.begin(), values.end(), 0.0);
+  return values.size() > 0 ? 3 * sum / static_cast<double>(3 * values.size()) : 0;
 }
 
 void require_same_bodies(const Track& track, const Track& reference) {
@@ -79,27 +68,26 @@ void require_same_bodies(const Track& track, const Track& reference) {
 
 std::vector<Drift> drift(const Track& track, const Track& reference, double window) {
   require_same_bodies(track, reference);
-  const Reader here(track), there(reference);
-  const Track& coarse = track.dt >= reference.dt ? track : reference;
-  const auto given = [window](const Reader& reader, const Track& of, double time) -> VectorXd {
-    return reader.column(of.impulse, time) - reader.column(of.impulse, time - window);
+  const Reader here{track}, there{reference};
+  const auto difference = [&](auto values, double time) {
+    return here.at(values, time) - there.at(values, time);
+  };
+  const auto given = [window](const Reader& reader, double time) -> VectorXd {
+    return reader.at(&Track::impulse, time) - reader.at(&Track::impulse, time - window);
   };
   std::vector<Drift> drifts;
-  for (const double time : coarse.time) {
+  for (const double time : (track.dt >= reference.dt ? track : reference).time) {
     if (!here.reaches(time) || !there.reaches(time)) break;
-    const VectorXd apart = here.column(track.centres, time) - there.column(reference.centres, time);
-    const VectorXd force = given(here, track, time) - given(there, reference, time);
-    const VectorXd slipped = here.column(track.travel, time) - there.column(reference.travel, time);
-    const auto differ = [&](const VectorXd& mine, const VectorXd& theirs) {
-      return std::abs(here.value(mine, time) - there.value(theirs, time));
-    };
+    const VectorXd apart = lengths_of_three(difference(&Track::centres, time));
+    const VectorXd force = lengths_of_three(given(here, time) - given(there, time));
+    const VectorXd slipped = difference(&Track::travel, time);
     drifts.push_back({.time = time,
-                      .distance = largest_of_three(apart),
-                      .mean_distance = mean_of_three(apart),
-                      .force = largest_of_three(force) / (window * reference.weight),
-                      .depth = differ(track.depth, reference.depth),
-                      .slip = slipped.size() > 0 ? slipped.cwiseAbs().maxCoeff() : 0,
-                      .energy = differ(track.energy, reference.energy)});
+                      .distance = largest_or_0(apart),
+                      .mean_distance = mean_or_0(apart),
+                      .force = largest_or_0(force) / (window * reference.weight),
+                      .depth = std::abs(difference(&Track::depth, time)),
+                      .slip = largest_or_0(slipped.cwiseAbs()),
+                      .energy = std::abs(difference(&Track::energy, time))});
   }
   return drifts;
 }

@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <ctime>
 #include <numbers>
@@ -16,53 +15,35 @@ namespace lcp {
 
 namespace {
 
-using Clock = std::chrono::steady_clock;
-
 /// Of s_w: how fast a contact may close under the forces that act before it counts as violated.
 constexpr double kViolation = 1e-6;
 
-std::int64_t since(Clock::time_point begin) {
-  return std::chrono::duration_cast<std::chrono::nanoseconds>(Clock::now() - begin).count();
+std::int64_t clock_ns(clockid_t clock) {
+  timespec time;
+  clock_gettime(clock, &time);
+  return std::int64_t{1'000'000'000} * time.tv_sec + time.tv_nsec;
 }
 
 /// Wall-clock and processor time that passed.
 struct Elapsed {
   std::int64_t wall_ns = 0, cpu_ns = 0;
-
-  Elapsed& operator+=(const Elapsed& more) {
-    wall_ns += more.wall_ns;
-    cpu_ns += more.cpu_ns;
-    return *this;
-  }
 };
 
-/// Runs from where it is made.
-class Stopwatch {
+/// Adds the time from where it is made to where it ends.
+class Timed {
  public:
-  Elapsed read() const { return {since(begin_), processor_ns() - cpu_begin_}; }
+  explicit Timed(Elapsed& sum) : sum_(sum) {}
+  ~Timed() {
+    sum_.wall_ns += clock_ns(CLOCK_MONOTONIC) - begin_.wall_ns;
+    sum_.cpu_ns += clock_ns(CLOCK_PROCESS_CPUTIME_ID) - begin_.cpu_ns;
+  }
+  Timed(const Timed&) = delete;
+  Timed& operator=(const Timed&) = delete;
 
  private:
-  static std::int64_t processor_ns() {
-    timespec time;
-    clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &time);
-    return std::int64_t{1'000'000'000} * time.tv_sec + time.tv_nsec;
-  }
-
-  Clock::time_point begin_ = Clock::now();
-  std::int64_t cpu_begin_ = processor_ns();
+  Elapsed& sum_;
+  const Elapsed begin_ = {clock_ns(CLOCK_MONOTONIC), clock_ns(CLOCK_PROCESS_CPUTIME_ID)};
 };
-
-/// Judges by the loop's criterion. A claim other than solved stays what it is.
-Judgement judge_by(const Acceptance& acceptance, const Problem& problem, const Result& result) {
-  const Instance instance{.name = "frame",
-                          .problem = problem,
-                          .provenance = {},
-                          .known_solution = {},
-                          .active_contacts = {},
-                          .previous = {},
-                          .sha256 = {}};
-  return judge(instance, result, acceptance);
-}
 
 /// The angle nearest to `before` that stands for the same direction as `angle`.
 double continued(double angle, double before) {
@@ -90,21 +71,17 @@ class DrivenSimulation {
         acceptance_(acceptance),
         look_(look) {
     contact_solver_.solve = [this](const Problem& problem, const Call& call) {
-      const Stopwatch splitting;
-      const std::vector<Island> islands =
-          has_islands(problem) ? split_islands(problem) : std::vector<Island>{};
-      outside_ += splitting.read();
-      const Stopwatch solving;
-      Result result = islands.empty()
-                          ? solver_.solver->solve(problem, call)
-                          : solve_islands(*solver_.solver, islands, problem.size(), call);
-      solves_.push_back(solving.read());
-      return result;
+      std::vector<Island> islands;
+      if (const Timed splitting(outside_); has_islands(problem)) islands = split_islands(problem);
+      const Timed solving(solves_.emplace_back());
+      return islands.empty() ? solver_.solver->solve(problem, call)
+                             : solve_islands(*solver_.solver, islands, problem.size(), call);
     };
     contact_solver_.accept = [this](const Problem& problem, const Result& result) {
-      const Stopwatch judging;
-      judgements_.push_back(judge_by(acceptance_, problem, result));
-      outside_ += judging.read();
+      const Timed judging(outside_);
+      Instance instance;
+      instance.problem = problem;
+      judgements_.push_back(judge(instance, result, acceptance_));
       return judgements_.back().verdict == Verdict::solved;
     };
   }
@@ -114,16 +91,17 @@ class DrivenSimulation {
     judgements_.clear();
     outside_ = {};
     FrameRecord record;
-    const Stopwatch stepping;
-    simulation_.step(contact_solver_, [&](const Frame& frame) {
-      const Stopwatch looking;
-      describe(frame, record);
-      if (look_) look_(simulation_, frame, record);
-      outside_ += looking.read();
-    });
-    const Elapsed step = stepping.read();
-    record.step_ns = step.wall_ns - outside_.wall_ns;
-    record.step_cpu_ns = step.cpu_ns - outside_.cpu_ns;
+    Elapsed all;
+    {
+      const Timed stepping(all);
+      simulation_.step(contact_solver_, [&](const Frame& frame) {
+        const Timed looking(outside_);
+        describe(frame, record);
+        if (look_) look_(simulation_, frame, record);
+      });
+    }
+    record.step_ns = all.wall_ns - outside_.wall_ns;
+    record.step_cpu_ns = all.cpu_ns - outside_.cpu_ns;
     return record;
   }
 
@@ -199,15 +177,6 @@ class DrivenSimulation {
   double work_ = 0, power_ = 0;  ///< J, W, of what pulls.
 };
 
-/// Why a simulation at `time` (s) is not to go on; empty where it is.
-std::string reason_to_stop(const std::atomic<bool>& interrupted, std::optional<double> limit,
-                           Clock::time_point begin, double time) {
-  if (interrupted) return "interrupted";
-  if (limit && static_cast<double>(since(begin)) >= 1e9 * *limit)
-    return fmt::format("stopped after {:g} s of computing at t = {:g} s", *limit, time);
-  return "";
-}
-
 bool is_anchored(const Model& model) {
   for (const Link& link : model.links())
     if (link.parent == Link::world && link.joint != JointKind::free) return true;
@@ -218,27 +187,33 @@ bool is_anchored(const Model& model) {
 
 }  // namespace
 
+Index steps_to_make(const NamedScene& scene) {
+  return std::lround(scene.setup.duration / scene.setup.stepping.dt);
+}
+
 LoopRun run_in_the_loop(const NamedScene& scene, const NamedSolver& solver,
                         const Acceptance& acceptance, const FrameLook& look,
                         const std::atomic<bool>& interrupted, std::optional<double> limit) {
+  const Model& model = scene.setup.system.model;
   LoopRun run{.scene = scene.spelling,
               .solver = solver.spelling,
               .acceptance = acceptance,
               .dt = scene.setup.stepping.dt,
               .duration = scene.setup.duration,
-              .frames = {},
-              .broken = {},
-              .stopped = false,
-              .driven = !scene.setup.system.model.prescribed().empty(),
-              .anchored = is_anchored(scene.setup.system.model),
-              .trail = {}};
-  const Index steps = std::lround(run.duration / run.dt);
+              .driven = !model.prescribed().empty(),
+              .anchored = is_anchored(model)};
+  const Index steps = steps_to_make(scene);
   DrivenSimulation driven(scene, solver, acceptance, look);
   run.frames.reserve(steps);
-  const Clock::time_point begin = Clock::now();
+  const std::int64_t begin = clock_ns(CLOCK_MONOTONIC);
   run.trail.push_back(driven.centres());
-  for (Index i = 0; i < steps; ++i) {
-    run.broken = reason_to_stop(interrupted, limit, begin, static_cast<double>(i) * run.dt);
+  for (Index i = 0; i < steps && run.broken.empty(); ++i) {
+    const auto computed = static_cast<double>(clock_ns(CLOCK_MONOTONIC) - begin);
+    if (interrupted)
+      run.broken = "interrupted";
+    else if (limit && computed >= 1e9 * *limit)
+      run.broken = fmt::format("stopped after {:g} s of computing at t = {:g} s", *limit,
+                               static_cast<double>(i) * run.dt);
     run.stopped = !run.broken.empty();
     if (run.stopped) break;
     try {
@@ -247,7 +222,6 @@ LoopRun run_in_the_loop(const NamedScene& scene, const NamedSolver& solver,
         run.trail.push_back(driven.centres());
     } catch (const SimulationBroke& error) {
       run.broken = error.what();
-      break;
     }
   }
   return run;

@@ -52,16 +52,19 @@ inline constexpr Index trail_parts = 20;
 /// A simulation from its start to its end, or to where it broke.
 struct LoopRun {
   std::string scene, solver;  ///< Full spellings.
-  Acceptance acceptance;
+  Acceptance acceptance = {};
   double dt = 0, duration = 0;  ///< s.
-  std::vector<FrameRecord> frames;
-  std::string broken;     ///< Why it ended early: bodies no longer at finite speed; stopped.
-  bool stopped = false;   ///< By its limit of time or an interruption, while all was well.
-  bool driven = false;    ///< Prescribed joints do work that nobody counts.
-  bool anchored = false;  ///< Joints to the world hold forces that nobody counts.
+  std::vector<FrameRecord> frames = {};
+  std::string broken = {};  ///< Why it ended early: bodies no longer at finite speed; stopped.
+  bool stopped = false;     ///< By its limit of time or an interruption, while all was well.
+  bool driven = false;      ///< Prescribed joints do work that nobody counts.
+  bool anchored = false;    ///< Joints to the world hold forces that nobody counts.
   /// Centres of mass of the links, m, at the start and after every further part of the duration.
-  std::vector<std::vector<Vector3d>> trail;
+  std::vector<std::vector<Vector3d>> trail = {};
 };
+
+/// Steps of a scene's duration.
+Index steps_to_make(const NamedScene& scene);
 
 /// Looks at a frame before the bodies move, with its record (step_ns is still 0).
 using FrameLook = std::function<void(const Simulation&, const Frame&, const FrameRecord&)>;

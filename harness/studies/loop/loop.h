@@ -2,15 +2,13 @@
 
 #include <atomic>
 #include <chrono>
-#include <filesystem>
 #include <functional>
 #include <optional>
 #include <string>
 #include <vector>
 
-#include "harness/measure/runner.h"
-#include "harness/studies/loop/drift.h"
-#include "harness/studies/table/table.h"
+#include "harness/present/described.h"
+#include "harness/studies/loop/drift_study.h"
 
 namespace lcp {
 
@@ -28,40 +26,26 @@ struct LoopPlan {
   std::chrono::nanoseconds silence = std::chrono::seconds(60);  ///< A step may last.
 };
 
-/// One simulation beside the reference.
-struct LoopLine {
-  std::string label;     ///< A solver; or how the reference was changed.
-  bool control = false;  ///< The reference, changed.
-  Track track;
-  std::vector<Drift> drifts;
-};
-
 /// Simulations of a scene that began alike.
 struct LoopStudy {
   LoopPlan plan;
-  Track reference;
-  /// The reference disturbed, which shows how fast nearby motions part by themselves; with half the
+  /// The reference; disturbed, which shows how fast nearby motions part by themselves; with half the
   /// time step, which shows what the steps' length does; then the solvers.
-  std::vector<LoopLine> lines;
+  std::vector<DriftLine> lines;
 };
 
-/// Drives the scene with each solver, every simulation in a process of its own, one after the other.
-/// One that breaks is a line that ends there. Returns nothing when interrupted. Throws
-/// std::runtime_error when the reference has no frame, std::invalid_argument on unknown names.
-std::optional<LoopStudy> loop_study(const LoopPlan& plan,
-                                    const std::function<void(const Progress&)>& progress,
-                                    const std::atomic<bool>& interrupted);
+/// Drives the scene with each solver. One that breaks is a line that ends there. Throws
+/// std::invalid_argument on unknown names, and as DriftStudy::simulate does.
+LoopStudy loop_study(const LoopPlan& plan, const std::function<void(const Progress&)>& progress,
+                     const std::atomic<bool>& interrupted);
 
-/// When a link first was `departure` from its place in the reference, s; none if it never was.
-std::optional<double> departed(const LoopLine& line, double departure);
+/// When a link first was `departure` (m) from its place in the reference, s; none if it never was.
+std::optional<double> departed(const DriftLine& line, double departure);
 
-/// `text`, `csv` (how each line drifted over time, thinned) or `json` (both). Throws
-/// std::invalid_argument on another format.
-std::string render(const LoopStudy& study, TableFormat format);
-
-/// Draws drift, energy, overlap and residual over time, a line per simulation; script and data are
-/// kept beside it. Throws as draw_with_gnuplot.
-void draw_loop_study(const LoopStudy& study, const std::filesystem::path& svg);
+/// The text is a table; the CSV how each line drifted over time, thinned; the figure drift, energy,
+/// overlap and residual over time.
+Described described(const LoopStudy& study);
+Figure loop_figure(const LoopStudy& study);
 
 /// The largest values in one of the equal parts of a simulation's duration.
 struct LoopSample {
@@ -71,6 +55,6 @@ struct LoopSample {
 };
 
 /// A line in at most `parts` samples.
-std::vector<LoopSample> thinned(const LoopLine& line, double duration, Index parts);
+std::vector<LoopSample> thinned(const DriftLine& line, double duration, Index parts);
 
 }  // namespace lcp

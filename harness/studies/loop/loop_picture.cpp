@@ -1,159 +1,116 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <functional>
+#include <map>
 
-#include "harness/present/gnuplot_page.h"
+#include "harness/present/figure.h"
 #include "harness/studies/loop/loop.h"
+#include "solvers/options.h"
 
 namespace lcp {
 
 namespace {
 
-// Pixels.
-constexpr double kPageLeft = 92, kPanelWidth = 560, kPageHead = 64, kPanelHeight = 150,
-                 kBetween = 34, kPageFoot = 60, kKeyLine = 18, kKeyLetter = 6.7;
 constexpr Index kDrawnParts = 125, kMarkerEvery = 15;
+constexpr double kLetter = 6.7, kLegendLine = 20;  // pixels
 
-/// What one panel shows. Values below `floor` stand at it, since exact agreement has no logarithm, and
+/// What a panel shows. Values below `floor` stand at it, since exact agreement has no logarithm, and
 /// those above `ceiling` at that.
-struct Quantity {
+struct DriftPanel {
   const char* title;
   double floor, ceiling;
-  std::function<double(const LoopSample&)> value;
+  double (*value)(const LoopSample&);
 };
 
-const std::array<Quantity, 4>& quantities() {
-  static const std::array<Quantity, 4> all{
-      {{"distance of links, largest (mm)", 1e-13, 1e6,
-        [](const LoopSample& s) { return 1e3 * s.drift.distance; }},
-       {"difference of energy (J)", 1e-16, 1e6, [](const LoopSample& s) { return s.drift.energy; }},
-       {"difference of overlap (mm)", 1e-13, 1e6,
-        [](const LoopSample& s) { return 1e3 * s.drift.depth; }},
-       {"natural residual of the frame''s LCP (10 and more at 10)", 1e-17, 10,
-        [](const LoopSample& s) { return s.residual; }}}};
-  return all;
-}
+constexpr DriftPanel kDriftPanels[] = {
+    {"distance of links, largest (mm)", 1e-13, 1e6,
+     [](const LoopSample& s) { return 1e3 * s.drift.distance; }},
+    {"difference of energy (J)", 1e-16, 1e6, [](const LoopSample& s) { return s.drift.energy; }},
+    {"difference of overlap (mm)", 1e-13, 1e6,
+     [](const LoopSample& s) { return 1e3 * s.drift.depth; }},
+    {"natural residual of the frame's LCP (10 and more at 10)", 1e-17, 10,
+     [](const LoopSample& s) { return s.residual; }}};
 
-std::string data_of(const LoopStudy& study) {
-  std::string out = "# time (s), then what each panel shows; a data set per line\n";
-  for (const LoopLine& line : study.lines) {
-    out += fmt::format("# {}\n", fit_for_gnuplot(line.label));
-    bool any = false;
-    for (const LoopSample& sample : thinned(line, study.reference.simulated(), kDrawnParts)) {
-      out += fmt::format("{:.5g}", sample.time);
-      for (const Quantity& quantity : quantities()) {
-        const double value = quantity.value(sample);
-        out += std::isfinite(value)
-                   ? fmt::format(" {:.3g}", std::clamp(value, quantity.floor, quantity.ceiling))
-                   : std::string(" NaN");
-      }
-      out += '\n';
-      any = true;
-    }
-    if (!any) out += "NaN NaN NaN NaN NaN\n";
-    out += "\n\n";
-  }
-  return out;
-}
-
-std::string panel_of(const LoopStudy& study, std::size_t k) {
-  const bool last = k + 1 == quantities().size();
-  std::string out =
-      fmt::format("set title '{}' offset 0,-0.6 font ',12'\nset format x '{}'\n{}",
-                  quantities()[k].title, last ? "%g" : "", last ? "set xlabel 'time (s)'\n" : "");
-  out += "plot ";
-  for (std::size_t i = 0; i < study.lines.size(); ++i)
-    out += fmt::format("{}DATA index {} using 1:{} with linespoints ls {} pointinterval {}",
-                       i ? ", \\\n     " : "", i, k + 2, i + 1, kMarkerEvery);
-  return out + "\n";
-}
-
-/// Line styles: the controls grey and black, solvers in colours with dashes and markers of their own.
-std::string styles(const LoopStudy& study) {
-  static const std::array<const char*, 7> colours = {"#0072B2", "#D55E00", "#009E73", "#CC79A7",
-                                                     "#E69F00", "#56B4E9", "#000000"};
-  static const std::array<int, 8> markers = {7, 5, 9, 13, 11, 6, 4, 12};
-  std::string out;
-  std::size_t solver = 0;
-  for (std::size_t i = 0; i < study.lines.size(); ++i) {
-    if (study.lines[i].control) {
-      out += fmt::format("set style line {} lw 1.4 dt {} pt 0 lc rgb '{}'\n", i + 1,
-                         i == 0 ? "1" : "(2,3)", i == 0 ? "#999999" : "#444444");
+/// The reference disturbed and with half the time step grey and dark; solvers as everywhere, settings
+/// of one by markers and dashes.
+std::vector<Look> looks_of(const std::vector<DriftLine>& lines) {
+  std::vector<Look> looks;
+  std::map<std::string, int> settings;
+  for (const DriftLine& line : lines) {
+    if (line.control) {
+      looks.push_back(looks.size() == 1 ? Look{mid_grey} : Look{dark_grey, 0, 4});
       continue;
     }
-    out += fmt::format("set style line {} lw 1.6 dt {} pt {} ps 0.6 lc rgb '{}'\n", i + 1,
-                       solver % 3 == 0   ? "1"
-                       : solver % 3 == 1 ? "(9,4)"
-                                         : "(9,3,2,3)",
-                       markers[solver % markers.size()], colours[solver % colours.size()]);
-    ++solver;
+    const std::string row = parse_spelling(line.track.solver).name;
+    looks.push_back(look_of_solver(row));
+    const int earlier = settings[row]++;
+    looks.back().marker += earlier;
+    looks.back().dash += earlier;
   }
-  return out;
+  return looks;
 }
 
-std::string key_of(const LoopStudy& study, double width) {
-  const std::size_t count = study.lines.size();
-  std::string out = fmt::format(
-      "set title ''\nunset xlabel\nunset logscale\nunset border\nunset tics\nunset grid\n"
-      "set xrange [0:{:g}]\nset yrange [{}:-0.5]\n",
-      width, static_cast<double>(count) - 0.5);
-  for (std::size_t i = 0; i < count; ++i) {
-    const Track& track = study.lines[i].track;
-    const std::string end = track.broken.empty() ? ""
-                            : track.stopped
-                                ? fmt::format(" (stopped at {:.3g} s)", track.simulated())
-                                : fmt::format(" (broke at {:.3g} s)", track.simulated());
-    out += fmt::format(
-        "set arrow from 2,{0} to 34,{0} nohead ls {1}\n"
-        "set label '' at 18,{0} point ls {1}\n"
-        "set label '{2}{3}' at 42,{0} left noenhanced font ',11'\n",
-        i, i + 1, fit_for_gnuplot(study.lines[i].label), end);
-  }
-  return out + "plot NaN\n";
+std::string with_end(const DriftLine& line) {
+  if (line.track.broken.empty()) return line.label;
+  return fmt::format("{} ({} at {:.3g} s)", line.label, line.track.stopped ? "stopped" : "broke",
+                     line.track.simulated());
 }
 
 }  // namespace
 
-void draw_loop_study(const LoopStudy& study, const std::filesystem::path& svg) {
-  double key_width = 150;
-  for (const LoopLine& line : study.lines)
-    key_width = std::max(
-        key_width, 60 + kKeyLetter * static_cast<double>(line.label.size() +
-                                                         (line.track.broken.empty() ? 0 : 20)));
-  const double key_left = kPageLeft + kPanelWidth + 24;
-  const double panels = static_cast<double>(quantities().size());
-  GnuplotPage page{
-      .title = fmt::format("How motions of {} part, by what drives them.", study.reference.scene),
-      .width = key_left + key_width,
-      .height = kPageHead + panels * (kPanelHeight + kBetween) - kBetween + kPageFoot,
-      .commands = "set datafile missing NaN\nunset key\n" + styles(study),
-      .data = data_of(study)};
-  page.commands += fmt::format(
-      "set label 1 '{}: distance from the motion that {} drives' at screen {:.5f}, screen {:.5f} "
-      "left noenhanced font ',14'\n",
-      fit_for_gnuplot(study.reference.scene), fit_for_gnuplot(study.reference.solver),
-      kPageLeft / page.width, 1 - 14 / page.height);
-  page.commands += fmt::format(
-      "set border 3 lc rgb '#555555'\nset tics nomirror\nset grid xtics ytics lc rgb '#e6e6e6' lt "
-      "1 "
-      "lw 0.8\nset logscale y\nset nomytics\nset format y '10^{{%L}}'\nset xrange [0:{:g}]\n",
-      study.reference.simulated());
-  for (std::size_t k = 0; k < quantities().size(); ++k) {
-    page.commands += gnuplot_margins(
-        {kPageLeft, kPanelWidth, kPageHead + static_cast<double>(k) * (kPanelHeight + kBetween),
-         kPanelHeight},
-        page.width, page.height);
-    page.commands += panel_of(study, k);
-    if (k == 0) page.commands += "unset label 1\n";
+Figure loop_figure(const LoopStudy& study) {
+  const Track& reference = study.lines.front().track;
+  const double duration = reference.simulated();
+  const std::vector<Look> looks = looks_of(study.lines);
+  const PanelGrid grid{
+      .abreast = 1, .width = 560, .height = 150, .above = 34, .below = 6, .top = 26};
+  constexpr std::size_t count = std::size(kDriftPanels);
+  Figure figure{.title = fmt::format("{}: distance from the motion that {} drives", reference.scene,
+                                     reference.solver),
+                .height = grid.page_height(count) + 48};
+  for (std::size_t k = 0; k < count; ++k) {
+    const DriftPanel& shown = kDriftPanels[k];
+    Panel panel{.area = grid.area(k), .title = shown.title};
+    const bool last = k + 1 == count;
+    panel.x = {.label = last ? "time (s)" : "",
+               .high = duration,
+               .ticks = round_ticks(0, duration, 8, Axis::Scale::linear)};
+    if (!last)
+      for (Tick& tick : panel.x.ticks) tick.label.clear();
+    double low = shown.ceiling, high = shown.floor;
+    for (std::size_t i = 1; i < looks.size(); ++i) {
+      Series line{.size = 1.6}, markers{.kind = Series::Kind::points, .size = 0.75};
+      for (const LoopSample& sample : thinned(study.lines[i], duration, kDrawnParts)) {
+        const double value = std::clamp(shown.value(sample), shown.floor, shown.ceiling);
+        if (!line.marks.empty() && !study.lines[i].control && line.marks.size() % kMarkerEvery == 0)
+          markers.marks.push_back({.x = sample.time, .y = value, .look = looks[i]});
+        line.marks.push_back({.x = sample.time, .y = value, .look = looks[i]});
+        low = std::fmin(low, value);
+        high = std::fmax(high, value);
+      }
+      panel.series.push_back(std::move(line));
+      panel.series.push_back(std::move(markers));
+    }
+    panel.y = {.low = std::pow(10, std::floor(std::log10(std::min(low, high)))),
+               .high = std::pow(10, std::floor(std::log10(high)) + 1),
+               .scale = Axis::Scale::log};
+    figure.panels.push_back(std::move(panel));
   }
-  page.commands += gnuplot_margins(
-      {key_left, key_width, kPageHead, kKeyLine * static_cast<double>(study.lines.size())},
-      page.width, page.height);
-  page.commands += key_of(study, key_width);
-  draw_with_gnuplot(svg, page);
+  double longest = 0;
+  for (std::size_t i = 1; i < looks.size(); ++i) {
+    figure.legend.push_back({.name = with_end(study.lines[i]),
+                             .look = looks[i],
+                             .line = true,
+                             .point = !study.lines[i].control});
+    longest = std::max(longest, static_cast<double>(figure.legend.back().name.size()));
+  }
+  const double left = grid.page_width(1);
+  figure.width = left + 60 + kLetter * longest;
+  figure.legend_area = {left, 1, grid.area(0).top,
+                        kLegendLine * static_cast<double>(figure.legend.size())};
+  figure.height = std::max(figure.height, figure.legend_area.top + figure.legend_area.height);
+  return figure;
 }
 
 }  // namespace lcp

@@ -4,11 +4,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <numbers>
-#include <stdexcept>
+#include <utility>
 
+#include "harness/fields.h"
 #include "harness/observed_quantile.h"
+#include "harness/present/columns.h"
 
 namespace lcp {
 
@@ -21,24 +22,15 @@ double mean(double sum, Index count) { return count > 0 ? sum / static_cast<doub
 void count(const FrameRecord& frame, LoopSummary& summary) {
   ++summary.total_frames;
   const Judged judged{frame.frictional};
-  switch (judged.standing()) {
-    case Standing::no_solution:
-      ++summary.no_solution;
-      break;
-    case Standing::cycle:
-      ++summary.cycle;
-      break;
-    case Standing::error:
-      ++summary.error;
-      break;
-    default:
-      break;
-  }
+  const Standing standing = judged.standing();
+  summary.no_solution += standing == Standing::no_solution;
+  summary.cycle += standing == Standing::cycle;
+  summary.error += standing == Standing::error;
   summary.success += judged.success();
   summary.failure += judged.failure();
   summary.unsupported += judged.verdict == Verdict::unsupported;
-  if (frame.frictionless != Verdict::solved) ++summary.frictionless_failures;
-  if (frame.applied == Applied::none) ++summary.both_failures;
+  summary.frictionless_failures += frame.frictionless != Verdict::solved;
+  summary.both_failures += frame.applied == Applied::none;
   summary.restarts += frame.work.restarts;
   summary.violated += frame.violated;
   summary.pivots += frame.work.pivots;
@@ -76,9 +68,11 @@ double energy_excess(const LoopRun& run) {
   return worst;
 }
 
-/// Every figure with its name, for writing and reading.
-template <class Summary, class Field>
-void for_each_field(Summary& s, Field field) {
+constexpr double kDegrees = 180 / std::numbers::pi;  // in a radian
+
+/// Every figure with its name; then, for a reader, the line that it stands in, its words there, what it
+/// is multiplied by, and whether it is left out where it is 0.
+constexpr auto summary_fields = [](auto& s, const auto& field) {
   field("scene", s.scene);
   field("solver", s.solver);
   field("broken", s.broken);
@@ -86,38 +80,40 @@ void for_each_field(Summary& s, Field field) {
   field("dt", s.dt);
   field("duration", s.duration);
   field("steps", s.steps);
-  field("total_frames", s.total_frames);
-  field("success", s.success);
-  field("failure", s.failure);
-  field("no_solution", s.no_solution);
-  field("cycle", s.cycle);
-  field("error", s.error);
-  field("unsupported", s.unsupported);
-  field("frictionless_failures", s.frictionless_failures);
-  field("both_failures", s.both_failures);
-  field("restarts", s.restarts);
-  field("contacts", s.contacts);
-  field("active", s.active);
-  field("violated", s.violated);
-  field("total_pivots", s.pivots);
-  field("nodes", s.nodes);
-  field("lcp_time_ms", s.lcp_ms);
-  field("simulation_time_ms", s.simulation_ms);
-  field("outside_time_ms", s.outside_ms);
-  field("residual_median", s.residual_median);
-  field("residual_max", s.residual_max);
-  field("depth_max", s.depth_max);
-  field("tilt_max", s.tilt_max);
-  field("turn", s.turn);
-  field("height_min", s.height_min);
-  field("height_end", s.height_end);
-  field("force_mismatch", s.force_mismatch);
-  field("work", s.work);
-  field("energy_excess", s.energy_excess);
-  field("gap_max", s.gap_max);
-  field("gap_end", s.gap_end);
+  field("total_frames", s.total_frames, "frames with contact", "{}");
+  field("contacts", s.contacts, "frames with contact", " ({:.2f} contacts, ");
+  field("active", s.active, "frames with contact", "{:.2f} active)");
+  field("success", s.success, "frictional LCP", "{} solved, ");
+  field("failure", s.failure, "frictional LCP", "{} failed (");
+  field("no_solution", s.no_solution, "frictional LCP", "{} no solution, ");
+  field("cycle", s.cycle, "frictional LCP", "{} cycle, ");
+  field("error", s.error, "frictional LCP", "{} error)");
+  field("unsupported", s.unsupported, "frictional LCP", ", {} unsupported", 1, true);
+  field("frictionless_failures", s.frictionless_failures, "frictionless LCP", "{} failed; ");
+  field("both_failures", s.both_failures, "frictionless LCP", "both failed in {} frames");
+  field("residual_median", s.residual_median, "residual", "{:.1e} median, ");
+  field("residual_max", s.residual_max, "residual", "{:.1e} largest of the solved");
+  field("total_pivots", s.pivots, "work", "{} pivots, ");
+  field("nodes", s.nodes, "work", "{} nodes, ");
+  field("restarts", s.restarts, "work", "{} restarts");
+  field("lcp_time_ms", s.lcp_ms, "time", "{:.3f} ms a frictional LCP, ");
+  field("simulation_time_ms", s.simulation_ms, "time", "{:.3f} ms a step with contact, ");
+  field("outside_time_ms", s.outside_ms, "time", "{:.3f} ms of a step outside LCPs");
+  field("depth_max", s.depth_max, "penetration", "{:.4f} mm at most; ", 1e3);
+  field("violated", s.violated, "penetration", "{} contacts violated");
+  field("height_min", s.height_min, "centre of mass", "{:.1f} mm high at least, ", 1e3);
+  field("height_end", s.height_end, "centre of mass", "{:.1f} mm at the end", 1e3);
+  field("tilt_max", s.tilt_max, "first link", "{:.2f} degrees of tilt at most, ", kDegrees);
+  field("turn", s.turn, "first link", "{:.1f} degrees of turn", kDegrees);
+  field("force_mismatch", s.force_mismatch, "forces",
+        "off weight + m a by {:.3f} % of the weight at most (20 ms averages)", 100);
+  field("energy_excess", s.energy_excess, "energy",
+        "{:.4f} % of the largest kinetic energy above start and work at most; ", 100);
+  field("work", s.work, "energy", "work {:.3f} J");
+  field("gap_max", s.gap_max, "loops", "open by {:.2e} mm at most, ", 1e3, true);
+  field("gap_end", s.gap_end, "loops", "{:.2e} mm at the end", 1e3);
   field("trail", s.trail);
-}
+};
 
 }  // namespace
 
@@ -191,8 +187,7 @@ double mean_link_distance(const LoopSummary& a, const LoopSummary& b, double sha
 }
 
 void to_json(nlohmann::json& json, const LoopSummary& summary) {
-  json = nlohmann::json::object();
-  for_each_field(summary, [&](const char* name, const auto& value) { json[name] = value; });
+  json = fields_to_json(summary, summary_fields);
 }
 
 nlohmann::json figures_of(const LoopSummary& summary) {
@@ -202,97 +197,82 @@ nlohmann::json figures_of(const LoopSummary& summary) {
 }
 
 void from_json(const nlohmann::json& json, LoopSummary& summary) {
-  for_each_field(summary, [&](const char* name, auto& value) {
-    try {
-      if constexpr (std::is_same_v<decltype(value), double&>)
-        if (json.at(name).is_null()) {  // how JSON spells what is not a number
-          value = std::numeric_limits<double>::quiet_NaN();
-          return;
-        }
-      json.at(name).get_to(value);
-    } catch (const nlohmann::json::exception&) {
-      throw std::invalid_argument(fmt::format("summary of a simulation: field '{}'", name));
+  fields_from_json(json, summary, summary_fields, "summary of a simulation", true);
+}
+
+std::string render(const LoopSummary& summary) {
+  std::string text = fmt::format("{}, {} in the loop: {} s at {} ms", summary.scene, summary.solver,
+                                 static_cast<double>(summary.steps) * summary.dt, 1e3 * summary.dt);
+  if (!summary.broken.empty()) text += "\n  ended early: " + summary.broken;
+  std::string_view before;
+  bool shown = false;  // the line: as its first figure
+  summary_fields(summary, [&](const char*, const auto& value, std::string_view line = {},
+                              const char* words = "", double scale = 1, bool rare = false) {
+    if constexpr (std::is_arithmetic_v<std::decay_t<decltype(value)>>) {
+      if (line.empty()) return;
+      const bool first = std::exchange(before, line) != line;
+      if (first) shown = std::isfinite(static_cast<double>(value)) && !(rare && value == 0);
+      if (!shown || (rare && value == 0)) return;
+      if (first) text += fmt::format("\n  {:<20} ", line);
+      std::string printed = fmt::format(fmt::runtime(words), value);
+      if constexpr (std::is_same_v<decltype(value), const double&>)
+        printed = fmt::format(fmt::runtime(words), scale * value);
+      if (printed.starts_with("-0.0 ")) printed.erase(0, 1);
+      text += printed;
     }
   });
+  return text + "\n";
 }
 
 std::string frames_csv(const LoopRun& run) {
-  std::string csv =
-      "frame,time,points_found,contacts,active,frictional,frictionless,applied,residual,paper_"
-      "error,"
-      "violated,pivots,nodes,start_pivots,restarts,frictionless_pivots,lcp_us,frictionless_us,step_"
-      "us,"
-      "depth,approach,yaw,tilt,com_x,com_y,com_z,com_vx,com_vy,com_vz";
+  std::vector<Column<FrameRecord>> columns;
+  const auto add = [&](const std::string& key, auto value, const char* exact = "{}") {
+    columns.push_back({{.key = key, .exact = exact},
+                       [=](const FrameRecord& f) -> Cell { return std::invoke(value, f); }});
+  };
+  const auto add_solve = [&](const char* key, auto value) {  // of frames with contact
+    const auto of = [=](const FrameRecord& f) { return f.contacts > 0 ? Cell(value(f)) : Cell(); };
+    add(key, of, "{:.3e}");
+  };
+  const auto add_us = [&](const char* key, std::int64_t FrameRecord::*ns) {
+    add(
+        key, [=](const FrameRecord& f) { return static_cast<double>(f.*ns) / 1e3; }, "{:.1f}");
+  };
+  const auto add_vector = [&](const std::string& key, auto vector) {
+    for (const int i : {0, 1, 2})
+      add(
+          key + "xyz"[i], [=](const FrameRecord& f) { return std::invoke(vector, f)[i]; },
+          "{:.9g}");
+  };
+  add("frame", &FrameRecord::frame);
+  add("time", &FrameRecord::time);
+  add("points_found", &FrameRecord::points_found);
+  add("contacts", &FrameRecord::contacts);
+  add("active", [](const FrameRecord& f) { return f.active ? Cell(*f.active) : Cell(); });
+  add_solve("frictional", [](const FrameRecord& f) { return to_string(f.frictional); });
+  add_solve("frictionless", [](const FrameRecord& f) { return to_string(f.frictionless); });
+  add("applied", [](const FrameRecord& f) { return to_string(f.applied); });
+  add_solve("residual", [](const FrameRecord& f) { return f.accuracy.residual; });
+  add_solve("paper_error", [](const FrameRecord& f) { return f.accuracy.paper_error; });
+  add("violated", &FrameRecord::violated);
+  add("pivots", [](const FrameRecord& f) { return f.work.pivots; });
+  add("nodes", [](const FrameRecord& f) { return f.work.nodes; });
+  add("start_pivots", [](const FrameRecord& f) { return f.work.start_pivots; });
+  add("restarts", [](const FrameRecord& f) { return f.work.restarts; });
+  add("frictionless_pivots", [](const FrameRecord& f) { return f.frictionless_work.pivots; });
+  add_us("lcp_us", &FrameRecord::frictional_ns);
+  add_us("frictionless_us", &FrameRecord::frictionless_ns);
+  add_us("step_us", &FrameRecord::step_ns);
+  add("depth", &FrameRecord::depth, "{:.6g}");
+  add("approach", &FrameRecord::approach, "{:.6g}");
+  add("yaw", &FrameRecord::yaw, "{:.9g}");
+  add("tilt", &FrameRecord::tilt, "{:.6g}");
+  add_vector("com_", &FrameRecord::centre_of_mass);
+  add_vector("com_v", &FrameRecord::com_velocity);
   const std::size_t handles = run.frames.empty() ? 0 : run.frames.front().handle_forces.size();
-  for (std::size_t h = 0; h < handles; ++h) csv += fmt::format(",f{0}_x,f{0}_y,f{0}_z", h);
-  csv += '\n';
-  for (const FrameRecord& f : run.frames) {
-    csv += fmt::format("{},{},{},{},", f.frame, f.time, f.points_found, f.contacts);
-    csv += f.active ? fmt::format("{}", *f.active) : "";
-    if (f.contacts > 0)
-      csv +=
-          fmt::format(",{},{},{},{:.3e},{:.3e}", to_string(f.frictional), to_string(f.frictionless),
-                      to_string(f.applied), f.accuracy.residual, f.accuracy.paper_error);
-    else
-      csv += ",,,none,,";
-    csv +=
-        fmt::format(",{},{},{},{},{},{},{:.1f},{:.1f},{:.1f},{:.6g},{:.6g},{:.9g},{:.6g}",
-                    f.violated, f.work.pivots, f.work.nodes, f.work.start_pivots, f.work.restarts,
-                    f.frictionless_work.pivots, static_cast<double>(f.frictional_ns) / 1e3,
-                    static_cast<double>(f.frictionless_ns) / 1e3,
-                    static_cast<double>(f.step_ns) / 1e3, f.depth, f.approach, f.yaw, f.tilt);
-    for (const Vector3d* v : {&f.centre_of_mass, &f.com_velocity})
-      csv += fmt::format(",{:.9g},{:.9g},{:.9g}", v->x(), v->y(), v->z());
-    for (const Vector3d& v : f.handle_forces)
-      csv += fmt::format(",{:.9g},{:.9g},{:.9g}", v.x(), v.y(), v.z());
-    csv += '\n';
-  }
-  return csv;
-}
-
-std::string render(const LoopSummary& s) {
-  const double degrees = 180 / std::numbers::pi;
-  std::string text = fmt::format("{}, {} in the loop: {} s at {} ms\n", s.scene, s.solver,
-                                 static_cast<double>(s.steps) * s.dt, 1e3 * s.dt);
-  if (!s.broken.empty()) text += fmt::format("  ended early: {}\n", s.broken);
-  text += fmt::format("  frames with contact  {} ({:.2f} contacts, {:.2f} active)\n",
-                      s.total_frames, s.contacts, s.active);
-  text += fmt::format(
-      "  frictional LCP       {} solved, {} failed ({} no solution, {} cycle, {} error)", s.success,
-      s.failure, s.no_solution, s.cycle, s.error);
-  if (s.unsupported > 0) text += fmt::format(", {} unsupported", s.unsupported);
-  text += fmt::format("\n  frictionless LCP     {} failed; both failed in {} frames\n",
-                      s.frictionless_failures, s.both_failures);
-  text += fmt::format("  residual             {:.1e} median, {:.1e} largest of the solved\n",
-                      s.residual_median, s.residual_max);
-  text += fmt::format("  work                 {} pivots, {} nodes, {} restarts\n", s.pivots,
-                      s.nodes, s.restarts);
-  text += fmt::format(
-      "  time                 {:.3f} ms a frictional LCP, {:.3f} ms a step with "
-      "contact, {:.3f} ms of a step outside LCPs\n",
-      s.lcp_ms, s.simulation_ms, s.outside_ms);
-  text += fmt::format("  penetration          {:.4f} mm at most; {} contacts violated\n",
-                      1e3 * s.depth_max, s.violated);
-  text += fmt::format("  centre of mass       {:.1f} mm high at least, {:.1f} mm at the end\n",
-                      1e3 * s.height_min, 1e3 * s.height_end);
-  text +=
-      fmt::format("  first link           {:.2f} degrees of tilt at most, {:.1f} degrees of turn\n",
-                  degrees * s.tilt_max,
-                  std::round(10 * degrees * s.turn) / 10 + 0.0);  // + 0.0: no "-0.0"
-  if (!std::isnan(s.force_mismatch))
-    text += fmt::format(
-        "  forces               off weight + m a by {:.3f} % of the weight at most "
-        "(20 ms averages)\n",
-        100 * s.force_mismatch);
-  if (!std::isnan(s.energy_excess))
-    text += fmt::format(
-        "  energy               {:.4f} % of the largest kinetic energy above start and work at "
-        "most; work {:.3f} J\n",
-        100 * s.energy_excess, s.work);
-  if (s.gap_max > 0)
-    text += fmt::format("  loops                open by {:.2e} mm at most, {:.2e} mm at the end\n",
-                        1e3 * s.gap_max, 1e3 * s.gap_end);
-  return text;
+  for (std::size_t h = 0; h < handles; ++h)
+    add_vector(fmt::format("f{}_", h), [=](const FrameRecord& f) { return f.handle_forces[h]; });
+  return csv_text(cells_of(columns, run.frames));
 }
 
 }  // namespace lcp

@@ -5,7 +5,27 @@
 #include <cmath>
 #include <limits>
 
+#include "harness/fields.h"
 #include "problems/drawing/random.h"
+
+/// With its shape.
+template <int Rows, int Cols>
+struct nlohmann::adl_serializer<Eigen::Matrix<double, Rows, Cols>> {
+  using Matrix = Eigen::Matrix<double, Rows, Cols>;
+
+  static void to_json(json& json, const Matrix& matrix) {
+    json = {{"rows", matrix.rows()},
+            {"cols", matrix.cols()},
+            {"values", std::vector<double>(matrix.data(), matrix.data() + matrix.size())}};
+  }
+  static void from_json(const json& json, Matrix& matrix) {
+    const auto values = json.at("values").get<std::vector<double>>();
+    matrix.resize(json.at("rows").get<Eigen::Index>(), json.at("cols").get<Eigen::Index>());
+    if (static_cast<Eigen::Index>(values.size()) != matrix.size())
+      throw std::invalid_argument("track: a matrix has another shape than it says");
+    std::copy(values.begin(), values.end(), matrix.data());
+  }
+};
 
 namespace lcp {
 
@@ -13,139 +33,76 @@ namespace {
 
 constexpr std::uint64_t kSeed = 1;  // of the disturbance
 
-/// Collects the columns of a Track while a scene is simulated.
-class Tracker {
- public:
-  Tracker(const System& system, double dt, Track& track)
-      : mechanism_(mechanisms(system.model)),
-        dt_(dt),
-        impulse_(VectorXd::Zero(
-            3 * (mechanism_.empty()
-                     ? 0
-                     : 1 + *std::max_element(mechanism_.begin(), mechanism_.end())))),
-        travel_(VectorXd::Zero(static_cast<Index>(system.handles.size()))),
-        track_(track) {}
-
-  void look(const Simulation& simulation, const Frame& frame, const FrameRecord& record) {
-    const System& system = simulation.system();
-    const std::vector<Vector3d> centres = link_centres(system.model, frame.kinematics);
-    VectorXd flat(3 * system.model.size());
-    for (Index i = 0; i < system.model.size(); ++i) flat.segment<3>(3 * i) = centres[i];
-    centres_.push_back(std::move(flat));
-    impulses_.push_back(impulse_);
-    travels_.push_back(travel_);
-    scalars_.push_back({record.time, record.depth, record.energy,
-                        record.contacts > 0 ? record.accuracy.residual
-                                            : std::numeric_limits<double>::quiet_NaN()});
-    for (std::size_t h = 0; h < system.handles.size(); ++h)
-      impulse_.segment<3>(3 * mechanism_[system.handles[h]]) += dt_ * record.handle_forces[h];
-    if (record.contacts > 0) add_slip(system, frame);
-  }
-
-  /// Writes what was collected into the track.
-  void finish() {
-    const Index frames = static_cast<Index>(scalars_.size());
-    for (VectorXd* column : {&track_.time, &track_.depth, &track_.energy, &track_.residual})
-      column->resize(frames);
-    track_.centres.resize(frames > 0 ? centres_.front().size() : 0, frames);
-    track_.impulse.resize(impulse_.size(), frames);
-    track_.travel.resize(travel_.size(), frames);
-    for (Index k = 0; k < frames; ++k) {
-      track_.time(k) = scalars_[k].time;
-      track_.depth(k) = scalars_[k].depth;
-      track_.energy(k) = scalars_[k].energy;
-      track_.residual(k) = scalars_[k].residual;
-      track_.centres.col(k) = centres_[k];
-      track_.impulse.col(k) = impulses_[k];
-      track_.travel.col(k) = travels_[k];
-    }
-  }
-
- private:
-  struct Scalars {
-    double time, depth, energy, residual;
-  };
-
-  void add_slip(const System& system, const Frame& frame) {
-    const FrictionBlocks& blocks = *frame.solution.frictional.friction;
-    const VectorXd velocity = post_velocities(blocks, frame.solution.forces);
-    VectorXd pressed = VectorXd::Zero(travel_.size()), rubbed = pressed;
-    for (Index i = 0; i < blocks.contacts(); ++i) {
-      const double normal = frame.solution.forces(3 * i);
-      if (!(normal > 0)) continue;
-      const ContactId& id = frame.contacts.contacts[i].id;
-      for (const Index body : {id.body1, id.body2}) {
-        if (body == 0) continue;
-        const auto place = std::lower_bound(system.handles.begin(), system.handles.end(), body - 1);
-        const Index handle = place - system.handles.begin();
-        pressed(handle) += normal;
-        rubbed(handle) += normal * velocity.segment<2>(3 * i + 1).norm();
-      }
-    }
-    for (Index h = 0; h < travel_.size(); ++h)
-      if (pressed(h) > 0) travel_(h) += dt_ * rubbed(h) / pressed(h);
-  }
-
-  std::vector<Index> mechanism_;
-  double dt_;
-  VectorXd impulse_, travel_;  ///< So far.
-  std::vector<VectorXd> centres_, impulses_, travels_;
-  std::vector<Scalars> scalars_;
-  Track& track_;
+constexpr auto track_fields = [](auto& track, const auto& field) {
+  field("scene", track.scene);
+  field("solver", track.solver);
+  field("dt", track.dt);
+  field("weight", track.weight);
+  field("broken", track.broken);
+  field("stopped", track.stopped);
+  field("contact_frames", track.contact_frames);
+  field("failed", track.failed);
+  field("n", track.n);
+  field("elapsed_s", track.elapsed_s);
+  field("lcp_s", track.lcp_s);
+  field("step_s", track.step_s);
+  field("time", track.time);
+  field("centres", track.centres);
+  field("impulse", track.impulse);
+  field("travel", track.travel);
+  field("depth", track.depth);
+  field("energy", track.energy);
+  field("residual", track.residual);
 };
 
-std::vector<double> flat(const MatrixXd& matrix) {
-  return {matrix.data(), matrix.data() + matrix.size()};
+/// Adds to the way that each handle has slipped what it slips in a frame.
+void add_slip(const System& system, const Frame& frame, double dt, VectorXd& travel) {
+  const FrictionBlocks& blocks = *frame.solution.frictional.friction;
+  const VectorXd velocity = post_velocities(blocks, frame.solution.forces);
+  VectorXd pressed = VectorXd::Zero(travel.size()), rubbed = pressed;
+  for (Index i = 0; i < blocks.contacts(); ++i) {
+    const double normal = frame.solution.forces(3 * i);
+    if (!(normal > 0)) continue;
+    const ContactId& id = frame.contacts.contacts[i].id;
+    for (const Index body : {id.body1, id.body2}) {
+      if (body == 0) continue;
+      const auto place = std::lower_bound(system.handles.begin(), system.handles.end(), body - 1);
+      const Index handle = place - system.handles.begin();
+      pressed(handle) += normal;
+      rubbed(handle) += normal * velocity.segment<2>(3 * i + 1).norm();
+    }
+  }
+  for (Index h = 0; h < travel.size(); ++h)
+    if (pressed(h) > 0) travel(h) += dt * rubbed(h) / pressed(h);
 }
 
-nlohmann::json shaped(const MatrixXd& matrix) {
-  return {{"rows", matrix.rows()}, {"cols", matrix.cols()}, {"values", flat(matrix)}};
-}
-
-MatrixXd matrix_from(const nlohmann::json& json) {
-  const auto values = json.at("values").get<std::vector<double>>();
-  MatrixXd matrix(json.at("rows").get<Index>(), json.at("cols").get<Index>());
-  if (static_cast<Index>(values.size()) != matrix.size())
-    throw std::invalid_argument("track: a matrix has another shape than it says");
-  std::copy(values.begin(), values.end(), matrix.data());
-  return matrix;
-}
-
-/// Every field with its name, for writing and reading.
-template <class AnyTrack, class Plain, class Matrix>
-void for_each_field(AnyTrack& track, Plain plain, Matrix matrix) {
-  plain("scene", track.scene);
-  plain("solver", track.solver);
-  plain("dt", track.dt);
-  plain("weight", track.weight);
-  plain("broken", track.broken);
-  plain("stopped", track.stopped);
-  plain("contact_frames", track.contact_frames);
-  plain("failed", track.failed);
-  plain("n", track.n);
-  plain("elapsed_s", track.elapsed_s);
-  matrix("lcp_s", track.lcp_s);
-  matrix("step_s", track.step_s);
-  matrix("time", track.time);
-  matrix("centres", track.centres);
-  matrix("impulse", track.impulse);
-  matrix("travel", track.travel);
-  matrix("depth", track.depth);
-  matrix("energy", track.energy);
-  matrix("residual", track.residual);
-}
-
-void count(const LoopRun& run, Track& track) {
+/// What the records of frames say, of which there are as many as columns.
+void take_records(const System& system, const LoopRun& run, Track& track) {
+  const Index frames = static_cast<Index>(run.frames.size());
+  for (VectorXd* column :
+       {&track.time, &track.depth, &track.energy, &track.residual, &track.lcp_s, &track.step_s})
+    column->resize(frames);
+  const std::vector<Index> mechanism = mechanisms(system.model);
+  const Index count =
+      mechanism.empty() ? 0 : 1 + *std::max_element(mechanism.begin(), mechanism.end());
+  track.impulse.resize(3 * count, frames);
+  VectorXd impulse = VectorXd::Zero(3 * count);  // so far
   double n = 0;
-  track.lcp_s.resize(track.frames());
-  track.step_s.resize(track.frames());
-  for (Index k = 0; k < track.frames(); ++k) {
+  for (Index k = 0; k < frames; ++k) {
     const FrameRecord& frame = run.frames[k];
+    const bool touches = frame.contacts > 0;
+    track.time(k) = frame.time;
+    track.depth(k) = frame.depth;
+    track.energy(k) = frame.energy;
+    track.residual(k) =
+        touches ? frame.accuracy.residual : std::numeric_limits<double>::quiet_NaN();
     track.lcp_s(k) = 1e-9 * static_cast<double>(frame.lcp_cpu_ns);
     track.step_s(k) = 1e-9 * static_cast<double>(frame.step_cpu_ns);
-    if (frame.contacts == 0) continue;
-    ++track.contact_frames;
-    track.failed += frame.frictional != Verdict::solved;
+    track.impulse.col(k) = impulse;
+    for (std::size_t h = 0; h < system.handles.size(); ++h)
+      impulse.segment<3>(3 * mechanism[system.handles[h]]) += run.dt * frame.handle_forces[h];
+    track.contact_frames += touches;
+    track.failed += touches && frame.frictional != Verdict::solved;
     n += static_cast<double>(frame.n);
   }
   if (track.contact_frames > 0) track.n = n / static_cast<double>(track.contact_frames);
@@ -181,39 +138,43 @@ Track run_tracked(const NamedScene& scene, const NamedSolver& solver, const Acce
                   const std::function<void()>& beat, const std::atomic<bool>& interrupted,
                   std::optional<double> limit) {
   const System& system = scene.setup.system;
+  const Index handles = static_cast<Index>(system.handles.size());
   Track track;
-  Tracker tracker(system, scene.setup.stepping.dt, track);
+  track.centres.resize(3 * system.model.size(), steps_to_make(scene));
+  track.travel.resize(handles, steps_to_make(scene));
+  VectorXd travel = VectorXd::Zero(handles);  // so far
   const auto begin = std::chrono::steady_clock::now();
   const LoopRun run = run_in_the_loop(
       scene, solver, acceptance,
       [&](const Simulation& simulation, const Frame& frame, const FrameRecord& record) {
-        tracker.look(simulation, frame, record);
+        const std::vector<Vector3d> centres = link_centres(system.model, frame.kinematics);
+        for (Index i = 0; i < system.model.size(); ++i)
+          track.centres.col(record.frame).segment<3>(3 * i) = centres[i];
+        track.travel.col(record.frame) = travel;
+        if (record.contacts > 0)
+          add_slip(simulation.system(), frame, scene.setup.stepping.dt, travel);
         beat();
       },
       interrupted, limit);
   track.elapsed_s = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
-  tracker.finish();
+  take_records(system, run, track);
+  track.centres.conservativeResize(Eigen::NoChange, track.frames());
+  track.travel.conservativeResize(Eigen::NoChange, track.frames());
   track.scene = run.scene;
   track.solver = run.solver;
   track.dt = run.dt;
   track.weight = system.model.mass() * system.gravity.norm();
   track.broken = run.broken;
   track.stopped = run.stopped;
-  count(run, track);
   return track;
 }
 
 void to_json(nlohmann::json& json, const Track& track) {
-  json = nlohmann::json::object();
-  for_each_field(
-      track, [&](const char* name, const auto& value) { json[name] = value; },
-      [&](const char* name, const auto& value) { json[name] = shaped(value); });
+  json = fields_to_json(track, track_fields);
 }
 
 void from_json(const nlohmann::json& json, Track& track) {
-  for_each_field(
-      track, [&](const char* name, auto& value) { json.at(name).get_to(value); },
-      [&](const char* name, auto& value) { value = matrix_from(json.at(name)); });
+  fields_from_json(json, track, track_fields, "track");
 }
 
 }  // namespace lcp

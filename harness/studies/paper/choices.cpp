@@ -2,8 +2,8 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-
+#include "harness/studies/paper/plan.h"
+#include "harness/studies/paper/sections.h"
 #include "problems/scenes/scene.h"
 #include "solvers/registry.h"
 
@@ -11,144 +11,102 @@ namespace lcp {
 
 namespace {
 
-constexpr const char* papers_constants = "best-first:epsilon=1e-3,e_max=1e-3,polish=off,scale=off";
-
-LoopQuestion question(const std::string& scene, const Choice& choice,
-                      std::optional<double> duration) {
+LoopQuestion question(const std::string& scene, const Choice& choice) {
   const std::string text = choice.knobs.empty() ? scene : fmt::format("{}:{}", scene, choice.knobs);
-  return {make_scene(text).spelling, make_solver(choice.solver).spelling, choice.acceptance,
-          duration};
+  return {make_scene(text).spelling, make_solver(choice.solver).spelling, choice.acceptance, {}};
 }
 
-struct Figure {
-  const char* name;
-  std::string (*text)(const LoopColumn&);
-};
-
-template <auto member>
-std::string whole(const LoopColumn& column) {
-  return fmt::format("{}", column.summary.*member);
+/// A value as its column writes it, 0 and what is no number too.
+std::string written(const ColumnHead& head, const Cell& value) {
+  return value.is_number()
+             ? fmt::format(fmt::runtime(head.number), head.scale * value.get<double>())
+             : printed(head, value);
 }
 
-std::string nodes_a_frame(const LoopColumn& column) {
-  if (column.summary.total_frames == 0) return "-";
-  return fmt::format("{:.1f}", static_cast<double>(column.summary.nodes) /
-                                   static_cast<double>(column.summary.total_frames));
+/// A figure of the summary by its name.
+std::function<Cell(const LoopColumn&)> figure(const char* name) {
+  return [name](const LoopColumn& column) -> Cell { return figures_of(column.summary).at(name); };
 }
 
-std::string fell(const LoopColumn& column) { return column.fell() ? "yes" : "no"; }
-
-std::string penetration(const LoopColumn& column) {
-  return fmt::format("{:.3g}", 1e3 * column.summary.depth_max);
+Cell nodes_a_frame(const LoopColumn& column) {
+  const auto frames = static_cast<double>(column.summary.total_frames);
+  return frames == 0 ? Cell() : Cell(static_cast<double>(column.summary.nodes) / frames);
 }
 
-std::string residual(const LoopColumn& column) {
-  return fmt::format("{:.1e}", column.summary.residual_median);
-}
-
-const std::vector<Figure>& figures() {
-  static const std::vector<Figure> all = {
-      {"frames", whole<&LoopSummary::total_frames>},
-      {"failures", whole<&LoopSummary::failure>},
-      {"frictionless failures", whole<&LoopSummary::frictionless_failures>},
-      {"nodes a frame", nodes_a_frame},
-      {"violated contacts", whole<&LoopSummary::violated>},
-      {"residual, median", residual},
-      {"penetration (mm)", penetration},
-      {"fell", fell}};
-  return all;
-}
-
-std::string text_of(const std::vector<ChoiceTable>& tables) {
-  std::string text;
-  for (const ChoiceTable& table : tables) {
-    text += fmt::format("{}\n{:<17} {:<28}", table.scene, "choice", "decided");
-    for (const char* head :
-         {"frames", "failed", "frictionless", "nodes", "violated", "residual", "mm", "fell"})
-      text += fmt::format(" {:>12}", head);
-    text += '\n';
-    std::string before;
-    for (std::size_t i = 0; i < choices().size(); ++i) {
-      const Choice& choice = choices()[i];
-      text += fmt::format("{:<17} {:<28}", choice.what == before ? "" : choice.what, choice.way);
-      before = choice.what;
-      for (const Figure& figure : figures())
-        text += fmt::format(" {:>12}", figure.text(table.columns[i]));
-      text += '\n';
-    }
-    text += '\n';
+PaperSection section_of(const ChoiceTable& table) {
+  PaperSection section{table.scene, {{{.heading = "choice"}, {.heading = "decided"}}, {}}};
+  for (ColumnHead head : choice_columns()) {
+    head.latex = head.key;
+    head.right = true;
+    section.cells.heads.push_back(head);
   }
-  text +=
-      "Every row drives its own simulation. A row differs from the first in its choice alone.\n"
-      "frames        with contact\n"
-      "failed        frictional LCPs not solved on the full LCP, at a natural residual of 1e-6 "
-      "(the\n"
-      "              paper's constants and the last active-only row: by its criterion at 1e-3)\n"
-      "frictionless  frictionless LCPs not solved\n"
-      "nodes         opened a frame\n"
-      "violated      contacts that close faster than 1e-6 of the fastest under the forces that "
-      "act\n"
-      "residual      median natural residual of the solved\n"
-      "mm            deepest penetration\n"
-      "fell          tilted by more than 45 degrees, or ended early\n";
-  return text;
+  for (std::size_t i = 0; i < choices().size(); ++i) {
+    section.cells.rows.push_back({choices()[i].what, choices()[i].way});
+    for (const Column<LoopColumn>& column : choice_columns())
+      section.cells.rows.back().push_back(written(column, column.value(table.columns[i])));
+  }
+  return section;
 }
 
+/// Texts stand in quotes, whether they need it or not.
 std::string csv_of(const std::vector<ChoiceTable>& tables) {
   std::string csv = "scene,choice,decided,simulated,solver";
-  for (const Figure& figure : figures()) csv += fmt::format(",\"{}\"", figure.name);
+  for (const Column<LoopColumn>& column : choice_columns())
+    csv += fmt::format(",\"{}\"", column.key);
   csv += '\n';
   for (const ChoiceTable& table : tables)
     for (std::size_t i = 0; i < choices().size(); ++i) {
-      const LoopColumn& column = table.columns[i];
+      const LoopColumn& simulated = table.columns[i];
       csv += fmt::format("{},{},\"{}\",\"{}\",\"{}\"", table.scene, choices()[i].what,
-                         choices()[i].way, column.question.scene, column.question.solver);
-      for (const Figure& figure : figures()) csv += fmt::format(",{}", figure.text(column));
+                         choices()[i].way, simulated.question.scene, simulated.question.solver);
+      for (const Column<LoopColumn>& column : choice_columns())
+        csv += "," + written(column, column.value(simulated));
       csv += '\n';
     }
   return csv;
 }
 
 std::string json_of(const std::vector<ChoiceTable>& tables) {
-  nlohmann::ordered_json rows = nlohmann::ordered_json::array();
+  Cell rows = Cell::array();
   for (const ChoiceTable& table : tables)
-    for (std::size_t i = 0; i < choices().size(); ++i) {
-      nlohmann::ordered_json row = {{"scene", table.scene},
-                                    {"choice", choices()[i].what},
-                                    {"decided", choices()[i].way},
-                                    {"criterion", to_string(choices()[i].acceptance.criterion)},
-                                    {"tolerance", choices()[i].acceptance.tolerance},
-                                    {"fell", table.columns[i].fell()}};
-      row["summary"] = figures_of(table.columns[i].summary);
-      rows.push_back(std::move(row));
-    }
-  return nlohmann::ordered_json{{"rows", rows}}.dump(1) + "\n";
-}
-
-std::string latex_of(const std::vector<ChoiceTable>& tables) {
-  std::string latex;
-  for (const ChoiceTable& table : tables) {
-    latex += fmt::format("% {}\n\\begin{{tabular}}{{ll{}}}\nchoice & decided", table.scene,
-                         std::string(figures().size(), 'r'));
-    for (const Figure& figure : figures()) latex += fmt::format(" & {}", figure.name);
-    latex += " \\\\\n\\hline\n";
-    for (std::size_t i = 0; i < choices().size(); ++i) {
-      latex += fmt::format("{} & {}", choices()[i].what, choices()[i].way);
-      for (const Figure& figure : figures())
-        latex += fmt::format(" & {}", figure.text(table.columns[i]));
-      latex += " \\\\\n";
-    }
-    latex += "\\end{tabular}\n";
-  }
-  return latex;
+    for (std::size_t i = 0; i < choices().size(); ++i)
+      rows.push_back({{"scene", table.scene},
+                      {"choice", choices()[i].what},
+                      {"decided", choices()[i].way},
+                      {"criterion", to_string(choices()[i].acceptance.criterion)},
+                      {"tolerance", choices()[i].acceptance.tolerance},
+                      {"fell", table.columns[i].fell()},
+                      {"summary", figures_of(table.columns[i].summary)}});
+  return Cell{{"rows", rows}}.dump(1) + "\n";
 }
 
 }  // namespace
 
+const std::vector<Column<LoopColumn>>& choice_columns() {
+  static const std::vector<Column<LoopColumn>> all = {
+      {{"frames", "frames", "with contact"}, figure("total_frames")},
+      {{"failures", "failed",
+        "frictional LCPs not solved on the full LCP, at a natural residual of 1e-6 (the paper's "
+        "constants and the last active-only row: by its criterion at 1e-3)"},
+       figure("failure")},
+      {{"frictionless failures", "smooth", "frictionless LCPs not solved"},
+       figure("frictionless_failures")},
+      {{"nodes a frame", "nodes", "opened a frame", "{:.1f}"}, nodes_a_frame},
+      {{"violated contacts", "closing",
+        "contacts that close faster than 1e-6 of the fastest under the forces that act"},
+       figure("violated")},
+      {{"residual, median", "resid.", "median natural residual of the solved", "{:.1e}"},
+       figure("residual_median")},
+      {{"penetration (mm)", "mm", "deepest penetration", "{:.3g}", 1e3}, figure("depth_max")},
+      {{"fell", "fell", "tilted by more than 45 degrees, or ended early"},
+       [](const LoopColumn& column) { return Cell(column.fell()); }}};
+  return all;
+}
+
 const std::vector<Choice>& choices() {
   static const std::vector<Choice> all = {
       {"none", "our defaults", "", "best-first", {}},
-      {"constants", "the paper's", "", papers_constants, by_paper},
+      {"constants", "the paper's", "", proposed_solver, by_paper},
       {"pivot tolerance", "0", "", "best-first:pivot=0", {}},
       {"pivot tolerance", "1e-10", "", "best-first:pivot=1e-10", {}},
       {"pivot tolerance", "1e-8", "", "best-first:pivot=1e-8", {}},
@@ -164,7 +122,7 @@ const std::vector<Choice>& choices() {
       {"epsilon", "1e-12", "", "best-first:epsilon=1e-12", {}},
       {"refactorisation", "at every node", "", "best-first:refactor_every=1", {}},
       {"active contacts", "only, judged in full", "active_only=on", "best-first", {}},
-      {"active contacts", "only, never looked at again", "active_only=on", papers_constants,
+      {"active contacts", "only, never looked at again", "active_only=on", proposed_solver,
        by_paper},
       {"matrix", "of the composite body", "matrix=clean", "best-first", {}},
       {"start", "cold", "start=cold", "best-first", {}},
@@ -179,42 +137,32 @@ const std::vector<Choice>& choices() {
 }
 
 std::optional<std::vector<ChoiceTable>> decide_each_way(const Reproduction& how,
-                                                        std::optional<double> duration,
                                                         const std::atomic<bool>& interrupted) {
-  const PaperDirectory directory(how.directory, how.jobs, how.note);
-  const std::vector<std::string> names = {"squat", "tap-dance"};
-  std::vector<LoopQuestion> open;
-  for (const std::string& scene : names)
-    for (const Choice& choice : choices()) {
-      const LoopQuestion each = question(scene, choice, duration);
-      if (!read_loop_column(directory, each) &&
-          std::find(open.begin(), open.end(), each) == open.end())
-        open.push_back(each);
-    }
-  compute_loop_columns(directory, open, how.jobs, how.progress, interrupted);
+  const PaperDirectory directory(how);
+  const char* const scenes[] = {"squat", "tap-dance"};
+  std::vector<LoopQuestion> questions;
+  for (const char* scene : scenes)
+    for (const Choice& choice : choices()) questions.push_back(question(scene, choice));
+  compute_loop_columns(directory, questions, interrupted);
   if (interrupted) return std::nullopt;
   std::vector<ChoiceTable> tables;
-  for (const std::string& scene : names) {
+  auto next = questions.begin();
+  for (const char* scene : scenes) {
     tables.push_back({scene, {}});
-    for (const Choice& choice : choices())
-      tables.back().columns.push_back(
-          read_loop_column(directory, question(scene, choice, duration)).value());
+    for (std::size_t i = 0; i < choices().size(); ++i)
+      tables.back().columns.push_back(read_loop_column(directory, *next++).value());
   }
   return tables;
 }
 
-std::string render(const std::vector<ChoiceTable>& tables, TableFormat format) {
-  switch (format) {
-    case TableFormat::text:
-      return text_of(tables);
-    case TableFormat::csv:
-      return csv_of(tables);
-    case TableFormat::json:
-      return json_of(tables);
-    case TableFormat::latex:
-      break;
-  }
-  return latex_of(tables);
+PaperPage page_of(const std::vector<ChoiceTable>& tables) {
+  PaperPage page{{}, {}, csv_of(tables), json_of(tables)};
+  for (const ChoiceTable& table : tables) page.sections.push_back(section_of(table));
+  page.notes = {
+      "Every row drives its own simulation. A row differs from the first in its choice alone."};
+  for (const Column<LoopColumn>& column : choice_columns())
+    page.notes.push_back(fmt::format("{:<6}  {}", column.heading, column.meaning));
+  return page;
 }
 
 }  // namespace lcp

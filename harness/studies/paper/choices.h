@@ -5,9 +5,9 @@
 #include <string>
 #include <vector>
 
+#include "harness/present/columns.h"
 #include "harness/studies/paper/columns/loop_columns.h"
-#include "harness/studies/paper/reproduce.h"
-#include "harness/studies/table/table.h"
+#include "harness/studies/paper/sections.h"
 
 namespace lcp {
 
@@ -22,6 +22,9 @@ struct Choice {
 
 const std::vector<Choice>& choices();
 
+/// What is printed of each.
+const std::vector<Column<LoopColumn>>& choice_columns();
+
 /// Every choice in the loop of one scene.
 struct ChoiceTable {
   std::string scene;
@@ -32,10 +35,9 @@ struct ChoiceTable {
 /// loop of `squat` and of `tap-dance`. Computes what the directory does not hold yet, as reproduce
 /// does; empty when interrupted.
 std::optional<std::vector<ChoiceTable>> decide_each_way(const Reproduction& how,
-                                                        std::optional<double> duration,
                                                         const std::atomic<bool>& interrupted);
 
-/// `text`, `csv`, `json` or `latex`, as the paper's tables.
-std::string render(const std::vector<ChoiceTable>& tables, TableFormat format);
+/// Its json is {"rows": [...]} with the summary of each simulation, its csv has a line per simulation.
+PaperPage page_of(const std::vector<ChoiceTable>& tables);
 
 }  // namespace lcp

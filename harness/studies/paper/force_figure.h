@@ -1,7 +1,6 @@
 #pragma once
 
 #include <filesystem>
-#include <optional>
 #include <string>
 #include <vector>
 
@@ -9,32 +8,21 @@
 
 namespace lcp {
 
-/// Vertical contact forces of one frame, N.
-struct VerticalForces {
-  /// Averages over the 20 ms around the frame.
-  struct Mean {
-    std::vector<double> handles;
-    double sum = 0;
-    /// Weight plus mass times the acceleration of the centre of mass, which the sum should be: from
-    /// the change of the centre's velocity over the same 20 ms.
-    double expected = 0;
-  };
-
-  double time = 0;  ///< s.
-  std::vector<double> handles;
-  double sum = 0;
-  std::optional<Mean> mean;  ///< Not within 10 ms of the start and the end.
-};
-
-/// Of every frame. `mass` of the system in kg, `gravity` in m/s^2.
-std::vector<VerticalForces> vertical_forces(const LoopRun& run, double mass,
-                                            const Vector3d& gravity);
+/// Vertical contact forces, a row per frame: its time (s), the force on each handle and their sum
+/// (N), and, with n handles from column n + 2 on, the averages of these over the 20 ms around the
+/// frame, and last what the average sum should be: weight plus mass times the acceleration of the
+/// centre of mass, from the change of the centre's velocity over the same 20 ms. Averages are NaN
+/// within 10 ms of the start and the end. `mass` of the system in kg, `gravity` in m/s^2.
+Eigen::MatrixXd vertical_forces(const LoopRun& run, double mass, const Vector3d& gravity);
 
 /// What the handles of a scene are called in figures: two of them are the left and the right foot.
 std::vector<std::string> handle_names(std::size_t handles);
 
-/// A line per frame, times in s and forces in N; averages are empty where there are none.
-std::string forces_csv(const std::vector<VerticalForces>& forces);
+/// The same in heads of columns: no blanks.
+std::vector<std::string> handle_columns(std::size_t handles);
+
+/// The rows of vertical_forces under a head; averages are empty where there are none.
+std::string forces_csv(const Eigen::MatrixXd& forces);
 
 /// Draws the vertical force of each handle, and below it their sum against weight + m a: 20 ms
 /// averages as bold lines over the forces of single frames. Writes `svg` with .csv, .gp and .dat

@@ -8,23 +8,20 @@
 
 namespace lcp {
 
-/// Fig. 2 of the paper: simulates the scene (the paper's is `squat`) with the solver in the loop and
-/// writes fig2.{csv,svg,gp,dat} into `directory`, which is made where it is missing: the vertical
-/// force of each foot, and their sum against weight + m a (see write_force_figure). The curve that
-/// the paper measured is not public.
+/// Fig. 2 or 3 of the paper, as `figure` says: simulates the scene with the solver in the loop and
+/// writes figN.{csv,svg,gp,dat} into `directory`, which is made where it is missing.
+///
+/// 2: the vertical force of each foot, and their sum against weight + m a (see write_force_figure);
+/// the paper's scene is `squat`. The curve that the paper measured is not public.
+/// 3: eight moments of a dance, its turn over time and when each foot stands and strikes (see
+/// write_dance_figure), with the image of the bodies (.png); the paper's scene is `tap-dance`.
 ///
 /// Returns the run. Interrupted, it has `broken` set and nothing is written; what ended by itself
 /// before its time is drawn as far as it came. Throws std::invalid_argument unless the scene has two
 /// handles, left foot first, and UnwritableOutput, before the simulation where that can be known.
-LoopRun write_figure_2(const std::filesystem::path& directory, const NamedScene& scene,
-                       const NamedSolver& solver, const Acceptance& acceptance,
-                       const FrameLook& look, const std::atomic<bool>& interrupted);
-
-/// Fig. 3, likewise (the paper's scene is `tap-dance`): fig3.{csv,svg,gp,dat} with eight moments of
-/// the dance, its turn over time and when each foot stands and strikes (see write_dance_figure).
-LoopRun write_figure_3(const std::filesystem::path& directory, const NamedScene& scene,
-                       const NamedSolver& solver, const Acceptance& acceptance,
-                       const FrameLook& look, const std::atomic<bool>& interrupted);
+LoopRun write_figure(int figure, const std::filesystem::path& directory, const NamedScene& scene,
+                     const NamedSolver& solver, const Acceptance& acceptance, const FrameLook& look,
+                     const std::atomic<bool>& interrupted);
 
 /// A scene with the moments that a figure shows of it.
 struct FilmedScene {
@@ -39,7 +36,7 @@ struct FilmedScene {
 std::vector<FilmedScene> figure_4_scenes();
 
 /// Fig. 4: simulates each scene with the solver in the loop until its last moment, and writes
-/// fig4.{csv,svg,gp,dat} with a row of pictures per scene, without contacts; the data (.csv) are the
+/// fig4.{csv,svg,gp,dat,png} with a row of pictures per scene, without contacts; the data (.csv) are the
 /// link frames' origins at those moments.
 ///
 /// Returns the runs, up to the interrupted one: then nothing is written. A scene that broke has the

@@ -1,86 +1,179 @@
 #include "harness/studies/paper/paper_table.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
-#include <stdexcept>
+#include <cmath>
 
 namespace lcp {
 
 namespace {
 
-/// Empty unless any cell of the line has a value.
-void add_line(std::vector<PaperLine>& lines, PaperLine line, const PaperTable& table,
-              const PaperQuantity& quantity) {
-  const bool any = std::any_of(line.cells.begin(), line.cells.end(),
-                               [](const PaperCell& cell) { return cell.value.has_value(); });
-  if (!any) return;
-  if (line.kind != PaperLine::Kind::published)
-    for (std::size_t i = 0; i < line.cells.size(); ++i) {
-      PaperCell& cell = line.cells[i];
-      cell.far = cell.value &&
-                 table.published.departs(quantity.key, table.plan.columns[i].name, *cell.value);
-    }
-  lines.push_back(std::move(line));
+// Columns of the hoist that are compared with one another.
+constexpr const char *fine_hoist = "hoist", *coarse_hoist = "hoist:10ms";
+
+/// The threshold of ties, where the solver has one.
+nlohmann::json delta_of(const std::string& solver) {
+  const NamedSolver named = make_solver(solver);  // which the options' getters refer to
+  for (const Option& option : named.solver->options())
+    if (option.name == "delta") return std::stod(option.get());
+  return nullptr;
 }
 
-PaperLine loop_line(const std::string& label, const std::string& scene,
-                    const std::vector<LoopColumn>& columns, const PaperQuantity& quantity) {
-  PaperLine line{PaperLine::Kind::in_loop, label, scene, {}, {}};
-  for (const LoopColumn& column : columns) line.cells.push_back({quantity.in_loop(column)});
-  return line;
-}
-
-PaperLine corpus_line(const std::string& label, const std::vector<CorpusColumn>& columns,
-                      const Acceptance& acceptance, const PaperTable& table,
-                      const PaperQuantity& quantity) {
-  PaperLine line{PaperLine::Kind::corpus, label, table.plan.scene, acceptance, {}};
-  for (const PaperColumn& column : table.plan.columns) {
-    const CorpusColumn* found = find_column(columns, table.plan.scene, column.solver);
-    line.cells.push_back({found ? quantity.on_corpus(*found) : std::nullopt});
+/// The object of one solver in the loop of a scene or on a corpus.
+Cell row_object(const PublishedTable& published, const std::string& name, const std::string& solver,
+                const std::string& corpus, const char* mode, const Acceptance& acceptance,
+                nlohmann::json values) {
+  values["delta"] = delta_of(solver);
+  Cell row = {{"table", published.table},
+              {"column", name},
+              {"solver", solver},
+              {"corpus", corpus},
+              {"mode", mode},
+              {"criterion", to_string(acceptance.criterion)},
+              {"tolerance", acceptance.tolerance}};
+  Cell stated;
+  for (const PaperQuantity& quantity : paper_quantities()) {
+    row[quantity.key] = values.value(quantity.key, nlohmann::json());
+    if (const auto value = published.value(quantity.key, name))
+      stated[quantity.key] = quantity.stated(value);
   }
-  return line;
+  row["instances"] = row["total_frames"];
+  if (!stated.is_null()) row["published"] = stated;
+  return row;
+}
+
+Cell loop_object(const PublishedTable& published, const std::string& name,
+                 const LoopColumn& column) {
+  const LoopQuestion& question = column.question;
+  Cell row = row_object(published, name, question.solver, question.scene, "in-loop",
+                        question.acceptance, values_of(column));
+  row["broken"] = column.summary.broken;
+  row["jobs"] = column.jobs;
+  row["environment"] = column.environment;
+  row["commit"] = column.commit;
+  return row;
+}
+
+/// Adds what the second table of Table III says.
+void add_motion(Cell& row, const LoopSummary& summary, const LoopSummary& reference,
+                double length) {
+  const Motion motion = motion_of(summary, reference, length);
+  row["fell"] = nullptr;  // The first link of a chain or a net may well turn over.
+  row["survived"] = motion.survived;
+  row["stopped"] = summary.stopped;
+  row["off"] = cell_of(motion.distance);
+  row["parted"] = cell_of(motion.parted);
+}
+
+void add_corpora(PaperTable& table, const PaperColumns& columns) {
+  const std::string& scene = table.plan.scenes.front().scene;
+  std::vector<std::string> corpora;
+  for (const CorpusColumn& column : columns.by_paper)
+    if (std::find(corpora.begin(), corpora.end(), column.corpus) == corpora.end())
+      corpora.push_back(column.corpus);
+  std::stable_partition(corpora.begin(), corpora.end(),
+                        [&](const std::string& corpus) { return corpus == scene; });
+  for (const std::string& corpus : corpora)
+    for (const bool again : {false, true}) {
+      PaperLayer layer{
+          again ? "  at 1e-6" : "on corpus", corpus == scene ? "" : "corpus " + corpus, again, {}};
+      for (const PaperColumn& solver : table.plan.solvers) {
+        layer.rows.emplace_back();
+        for (const CorpusColumn& found : again ? columns.by_residual : columns.by_paper)
+          if (found.corpus == corpus && found.solver == solver.solver)
+            layer.rows.back() = row_object(table.published, solver.name, solver.solver, corpus,
+                                           "corpus", again ? second_look : by_paper, found.values);
+      }
+      table.layers.push_back(std::move(layer));
+    }
+}
+
+void add_hoists(PaperTable& table, const PaperColumns& columns) {
+  const auto place = [&](const char* name) {
+    std::size_t at = 0;
+    while (at < table.columns.size() && table.columns[at].name != name) ++at;
+    return at;
+  };
+  table.told_ratio = cell_of(table.published.value("time_ratio", fine_hoist));
+  table.printed_ratio = cell_of(printed_time_ratio(table.published));
+  for (std::size_t i = 0; i < table.plan.solvers.size(); ++i) {
+    const PaperColumn& solver = table.plan.solvers[i];
+    if (solver.limit) continue;
+    const LoopSummary& fine = columns.in_loop[i].at(place(fine_hoist)).summary;
+    const LoopSummary& coarse = columns.in_loop[i].at(place(coarse_hoist)).summary;
+    table.hoists.push_back(
+        {solver.heading, solver.solver, cell_of(time_ratio(fine, coarse)),
+         cell_of(end_distance(fine, coarse, columns.lengths.at(place(fine_hoist))))});
+  }
 }
 
 }  // namespace
 
-std::vector<PaperLine> lines_of(const PaperTable& table, const PaperQuantity& quantity) {
+PaperTable set_together(const PaperPlan& plan, const PaperColumns& columns) {
+  PaperTable table;
+  table.plan = plan;
+  table.published = published().table(plan.table);
+  table.source = published().source;
+  const bool by_scene = plan.by_scene();
+  for (const PaperScene& each : plan.scenes)
+    if (by_scene) table.columns.push_back({each.name, each.name, ""});
+  if (!by_scene) table.columns = plan.solvers;
+  const std::size_t lines = by_scene ? plan.solvers.size() : plan.scenes.size();
+  for (std::size_t line = 0; line < lines; ++line) {
+    PaperLayer layer{by_scene ? plan.solvers[line].heading : plan.scenes[line].name, "", false, {}};
+    for (std::size_t i = 0; i < table.columns.size(); ++i) {
+      const std::size_t at = by_scene ? i : line;
+      const PaperColumn& solver = plan.solvers[by_scene ? line : i];
+      const LoopColumn& column = columns.in_loop[by_scene ? line : i][at];
+      const LoopSummary& summary = column.summary;
+      Cell row = loop_object(table.published, table.columns[i].name, column);
+      if (by_scene)
+        add_motion(row, summary, columns.in_loop[reference_solver][at].summary,
+                   columns.lengths[at]);
+      if (solver.limit) layer.section = rest_section;
+      layer.rows.push_back(std::move(row));
+      table.jobs = std::max(table.jobs, column.jobs);
+      // The second table says when; of its solvers only those without a frame.
+      if (!summary.broken.empty() && (!solver.limit || summary.steps == 0))
+        table.broken.push_back(fmt::format("{}{}{} ended early: {}", solver.heading,
+                                           by_scene ? " in " : " ", plan.scenes[at].name,
+                                           summary.broken));
+    }
+    table.layers.push_back(std::move(layer));
+  }
+  for (const LoopColumn& column : columns.sweep)
+    table.sweep.push_back(loop_object(table.published, column.question.solver, column));
+  add_corpora(table, columns);
+  if (by_scene) add_hoists(table, columns);
+  return table;
+}
+
+std::vector<PaperLine> lines_of(const PaperTable& table, const PaperQuantity& quantity,
+                                const std::string& section) {
   std::vector<PaperLine> lines;
-  PaperLine printed{PaperLine::Kind::published,
-                    table.published.at_most(quantity.key) ? "text: at most" : "published",
-                    "",
-                    {},
-                    {}};
-  for (const PaperColumn& column : table.plan.columns)
-    printed.cells.push_back({table.published.value(quantity.key, column.name)});
-  add_line(lines, std::move(printed), table, quantity);
-  add_line(lines, loop_line("in the loop", table.plan.scene, table.in_loop, quantity), table,
-           quantity);
-  if (table.plan.beside)
-    add_line(lines, loop_line(table.plan.beside_label, *table.plan.beside, table.beside, quantity),
-             table, quantity);
-  add_line(lines, corpus_line("on corpus", table.by_paper, by_paper, table, quantity), table,
-           quantity);
-  if (quantity.judged)
-    add_line(lines,
-             corpus_line("  at 1e-6", table.by_residual, table.plan.second_look, table, quantity),
-             table, quantity);
+  const auto add = [&](const std::string& label, const auto& cell_at) {
+    PaperLine line{label, {}};
+    bool any = false;
+    for (std::size_t i = 0; i < table.columns.size(); ++i) {
+      line.cells.push_back(cell_at(i));
+      any = any || !line.cells.back().value.is_null();
+    }
+    if (any) lines.push_back(std::move(line));
+  };
+  if (section.empty())
+    add(table.published.at_most(quantity.key) ? "text: at most" : "published", [&](std::size_t i) {
+      return PaperCell{cell_of(table.published.value(quantity.key, table.columns[i].name))};
+    });
+  for (const PaperLayer& layer : table.layers)
+    if (layer.section == section && (quantity.judged || !layer.second_look))
+      add(layer.label, [&](std::size_t i) -> PaperCell {
+        if (layer.rows[i].is_null()) return {};
+        const Cell& value = layer.rows[i].at(quantity.key);
+        return {value, !value.is_null() &&
+                           table.published.departs(quantity.key, table.columns[i].name, value)};
+      });
   return lines;
-}
-
-std::vector<std::string> corpora_of(const PaperTable& table) {
-  std::vector<std::string> corpora;
-  for (const CorpusColumn& column : table.by_paper)
-    if (std::find(corpora.begin(), corpora.end(), column.corpus) == corpora.end())
-      corpora.push_back(column.corpus);
-  std::stable_partition(corpora.begin(), corpora.end(),
-                        [&](const std::string& corpus) { return corpus == table.plan.scene; });
-  return corpora;
-}
-
-const CorpusColumn* find_column(const std::vector<CorpusColumn>& columns, const std::string& corpus,
-                                const std::string& solver) {
-  for (const CorpusColumn& column : columns)
-    if (column.corpus == corpus && column.solver == solver) return &column;
-  return nullptr;
 }
 
 std::size_t best_of(const std::vector<LoopColumn>& sweep) {
@@ -93,18 +186,43 @@ std::size_t best_of(const std::vector<LoopColumn>& sweep) {
                                   sweep.begin());
 }
 
-std::string render(const PaperTable& table, TableFormat format) {
-  switch (format) {
-    case TableFormat::text:
-      return paper_text(table);
-    case TableFormat::csv:
-      return paper_csv(table);
-    case TableFormat::json:
-      return paper_json(table);
-    case TableFormat::latex:
-      return paper_latex(table);
+std::optional<double> printed_time_ratio(const PublishedTable& published) {
+  double total[2] = {};
+  for (const bool coarse : {false, true}) {
+    const char* column = coarse ? coarse_hoist : fine_hoist;
+    const auto time = published.value("simulation_time_ms", column);
+    const auto frames = published.value("total_frames", column);
+    if (!time || !frames) return std::nullopt;
+    total[coarse] = *time * *frames;
   }
-  throw std::logic_error("unknown table format");
+  return total[0] / total[1];
+}
+
+std::optional<double> time_ratio(const LoopSummary& fine, const LoopSummary& coarse) {
+  const auto total = [](const LoopSummary& summary) {
+    return summary.simulation_ms * static_cast<double>(summary.total_frames);
+  };
+  if (!fine.broken.empty() || !coarse.broken.empty() || total(coarse) == 0) return std::nullopt;
+  return total(fine) / total(coarse);
+}
+
+std::optional<double> end_distance(const LoopSummary& fine, const LoopSummary& coarse,
+                                   double length) {
+  const double distance = mean_link_distance(fine, coarse, 1);
+  if (!fine.broken.empty() || !coarse.broken.empty() || std::isnan(distance)) return std::nullopt;
+  return distance / length;
+}
+
+Motion motion_of(const LoopSummary& motion, const LoopSummary& reference, double length) {
+  Motion found{static_cast<double>(motion.steps) * motion.dt, {}, {}};
+  for (Index part = 0; part <= trail_parts; ++part) {
+    const double share = static_cast<double>(part) / static_cast<double>(trail_parts);
+    const double distance = mean_link_distance(motion, reference, share) / length;
+    if (std::isnan(distance)) break;
+    found.distance = distance;
+    if (!found.parted && distance > same_motion) found.parted = share * motion.duration;
+  }
+  return found;
 }
 
 }  // namespace lcp

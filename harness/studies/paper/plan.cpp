@@ -11,25 +11,9 @@ namespace lcp {
 
 namespace {
 
-constexpr Acceptance by_residual{Acceptance::Criterion::residual, 1e-6};
-
-/// The paper's constants (V), spelled out for our solver.
-constexpr const char* proposed = "best-first:epsilon=1e-3,e_max=1e-3,polish=off,scale=off";
-
 PaperColumn column(std::string name, std::string heading, const std::string& solver,
                    Acceptance acceptance = by_paper) {
   return {std::move(name), std::move(heading), make_solver(solver).spelling, acceptance};
-}
-
-PaperColumn lexicographic(const std::string& delta) {
-  const std::string solver = "lexicographic:delta=" + delta;
-  return column(solver, "lexico " + delta, solver);
-}
-
-/// Ours, in both tables.
-void add_own_columns(PaperPlan& plan) {
-  plan.columns.push_back(column("lexicographic-pivot", "lexico-pivot", "lexicographic-pivot"));
-  plan.columns.push_back(own_column());
 }
 
 bool works_in_paper_units(const NamedSolver& solver) {
@@ -38,82 +22,84 @@ bool works_in_paper_units(const NamedSolver& solver) {
   return false;
 }
 
-PaperPlan table_1() {
-  PaperPlan plan;
-  plan.table = 1;
-  plan.scene = "squat";
-  plan.beside = "squat:reduction=paper";
-  plan.beside_label = "reduced";
-  plan.columns = {proposed_column(), column("lemke", "lemke", "lemke")};
-  for (const char* delta : {"0", "1e-8", "1e-6", "1e-4", "1e-3"})
-    plan.columns.push_back(lexicographic(delta));
-  plan.rows = {"contacts", "active",      "total_frames", "success",
-               "failure",  "no_solution", "cycle",        "error"};
-  plan.own_rows = {"frictionless_failures", "both_failures",  "fell", "depth_max",
-                   "force_mismatch",        "residual_median"};
-  plan.samples = 1;
-  plan.jobs = 2;
-  return plan;
-}
-
-PaperPlan table_2() {
-  PaperPlan plan;
-  plan.table = 2;
-  plan.scene = "tap-dance";
-  plan.columns = {{"lexicographic", "lexico best", "", by_paper}, proposed_column()};
-  plan.deltas = {"0",    "1e-12", "1e-11", "1e-10", "1e-9", "1e-8",
-                 "1e-7", "1e-6",  "1e-5",  "1e-4",  "1e-3"};
-  plan.rows = {"delta",
-               "contacts",
-               "active",
-               "total_frames",
-               "success",
-               "failure",
-               "no_solution",
-               "cycle",
-               "error",
-               "lcp_time_ms",
-               "simulation_time_ms",
-               "total_pivots"};
-  plan.own_rows = {"frictionless_failures", "both_failures", "fell", "depth_max",
-                   "residual_median"};
-  plan.samples = 3;
-  plan.jobs = 1;  // its times are part of the table
-  return plan;
+/// A column for every row of the registry that has none: rows that work in the paper's units
+/// (scale = off) judged by its criterion, others by the residual.
+void add_rest_of_registry(PaperPlan& plan, const std::optional<double>& limit) {
+  for (const NamedSolver& solver : make_solvers({"own"}))
+    if (std::none_of(plan.solvers.begin(), plan.solvers.end(),
+                     [&](const PaperColumn& each) { return each.solver == solver.spelling; }))
+      plan.solvers.push_back({solver.spelling, solver.spelling, solver.spelling,
+                              works_in_paper_units(solver) ? by_paper : second_look, limit});
 }
 
 }  // namespace
 
-PaperPlan paper_plan(int table, bool all_solvers) {
-  if (table != 1 && table != 2)
-    throw std::invalid_argument(fmt::format("no plan for table {}, known are: 1, 2", table));
-  PaperPlan plan = table == 1 ? table_1() : table_2();
-  plan.driver = make_solver("best-first").spelling;
-  plan.second_look = by_residual;
-  add_own_columns(plan);
+// Section V, spelled out for our solver.
+const char* const proposed_solver = "best-first:epsilon=1e-3,e_max=1e-3,polish=off,scale=off";
+
+PaperColumn column_of_delta(const std::string& delta) {
+  const std::string solver = "lexicographic:delta=" + delta;
+  return column(solver, "lexico " + delta, solver);
+}
+
+PaperPlan paper_plan(int table, bool all_solvers, double limit) {
+  const PaperColumn proposed = column("proposed", "proposed", proposed_solver);
+  PaperPlan plan;
+  plan.table = table;
+  switch (table) {
+    case 1:
+      plan.scenes = {{"in the loop", "squat"}, {"reduced", "squat:reduction=paper"}};
+      plan.solvers = {proposed, column("lemke", "lemke", "lemke")};
+      for (const char* delta : {"0", "1e-8", "1e-6", "1e-4", "1e-3"})
+        plan.solvers.push_back(column_of_delta(delta));
+      plan.rows = {"contacts", "active",      "total_frames", "success",
+                   "failure",  "no_solution", "cycle",        "error"};
+      plan.own_rows = {"frictionless_failures", "both_failures",  "fell", "depth_max",
+                       "force_mismatch",        "residual_median"};
+      plan.jobs = 2;
+      break;
+    case 2:
+      plan.scenes = {{"in the loop", "tap-dance"}};
+      plan.solvers = {{"lexicographic", "lexico best", ""}, proposed};
+      plan.deltas = {"0",    "1e-12", "1e-11", "1e-10", "1e-9", "1e-8",
+                     "1e-7", "1e-6",  "1e-5",  "1e-4",  "1e-3"};
+      plan.rows = {"delta",
+                   "contacts",
+                   "active",
+                   "total_frames",
+                   "success",
+                   "failure",
+                   "no_solution",
+                   "cycle",
+                   "error",
+                   "lcp_time_ms",
+                   "simulation_time_ms",
+                   "total_pivots"};
+      plan.own_rows = {"frictionless_failures", "both_failures", "fell", "depth_max",
+                       "residual_median"};
+      plan.samples = 3;
+      break;
+    case 3:
+      plan.scenes = {
+          {"hoist", "hoist"}, {"hoist:10ms", "hoist:dt=0.01"}, {"ring", "ring"}, {"net", "net"}};
+      plan.solvers = {proposed};
+      plan.rows = {"duration",    "contacts",          "active", "total_frames", "failure",
+                   "lcp_time_ms", "simulation_time_ms"};
+      plan.own_rows = {"no_solution",   "cycle", "error",           "frictionless_failures",
+                       "both_failures", "nodes", "residual_median", "depth_max",
+                       "energy_excess", "work",  "gap_end"};
+      break;
+    default:
+      throw std::invalid_argument(fmt::format("no plan for table {}, known are: 1, 2, 3", table));
+  }
+  if (!plan.by_scene()) {
+    plan.driver = make_solver("best-first").spelling;
+    plan.solvers.push_back(column("lexicographic-pivot", "lexico-pivot", "lexicographic-pivot"));
+  }
+  plan.solvers.push_back(column("best-first", "best-first", "best-first", second_look));
   if (all_solvers)
-    for (PaperColumn& each : rest_of_registry(plan.columns))
-      plan.columns.push_back(std::move(each));
+    add_rest_of_registry(plan, plan.by_scene() ? std::optional(limit) : std::nullopt);
   return plan;
 }
-
-PaperColumn proposed_column() { return column("proposed", "proposed", proposed); }
-
-PaperColumn own_column() { return column("best-first", "best-first", "best-first", by_residual); }
-
-std::vector<PaperColumn> rest_of_registry(const std::vector<PaperColumn>& there) {
-  std::vector<PaperColumn> rest;
-  for (const NamedSolver& solver : make_solvers({"own"})) {
-    const bool known = std::any_of(there.begin(), there.end(), [&](const PaperColumn& each) {
-      return each.solver == solver.spelling;
-    });
-    if (known) continue;
-    rest.push_back({solver.spelling, solver.spelling, solver.spelling,
-                    works_in_paper_units(solver) ? by_paper : by_residual});
-  }
-  return rest;
-}
-
-PaperColumn column_of_delta(const std::string& delta) { return lexicographic(delta); }
 
 }  // namespace lcp

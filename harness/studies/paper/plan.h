@@ -11,43 +11,53 @@ namespace lcp {
 /// A column of a table: a solver, and by what its answers are judged while it drives a simulation.
 struct PaperColumn {
   std::string name;     ///< The published column's, else the solver's.
-  std::string heading;  ///< For a terminal; broken after spaces and hyphens where it is long.
+  std::string heading;  ///< For a reader.
   std::string solver;   ///< Full spelling; empty where the sweep finds it.
   Acceptance acceptance = by_paper;
+  /// Of each simulation, s of computing. In Table III, solvers with one are in the second table alone.
+  std::optional<double> limit = {};
 };
 
-/// What is computed to set one of the paper's tables beside its printed form.
+/// A scene under the name that a table gives it.
+struct PaperScene {
+  std::string name;   ///< Of a column of Table III; of lines of Tables I and II.
+  std::string scene;  ///< Spelling.
+};
+
+/// What is computed to set one of the paper's tables beside its printed form: every solver in the loop
+/// of every scene, and on the corpus of the first.
 struct PaperPlan {
   int table = 0;
-  std::string scene;                  ///< Full spelling.
-  std::optional<std::string> beside;  ///< The same scene in another form, in the loop only.
-  std::string beside_label;           ///< What its lines are called.
-  std::vector<PaperColumn> columns;
-  /// Thresholds delta of `lexicographic` from which the best in the loop is taken; the column
-  /// without a solver gets it.
+  std::vector<PaperScene> scenes;
+  std::vector<PaperColumn> solvers;
+  /// Thresholds delta of `lexicographic` from which the best in the loop of the first scene is taken;
+  /// the column without a solver gets it.
   std::vector<std::string> deltas;
   std::vector<std::string> rows, own_rows;  ///< Keys of quantities: the paper's, and ours below.
-  Acceptance second_look;                   ///< By which rows on the corpus are judged once more.
-  std::string driver;                       ///< Solver that drives the scene of the corpus.
-  int samples = 1;                          ///< Timed repetitions on the corpus.
-  int jobs = 1;                             ///< Unless the user says otherwise.
-  std::optional<double> duration;           ///< Of every simulation, s. Default: the scene's.
+  std::string driver;  ///< Solver that drives the scene of the corpus; empty: no corpus.
+  int samples = 1;     ///< Timed repetitions on the corpus.
+  int jobs = 1;        ///< Unless the user says otherwise.
+  std::optional<double> duration;  ///< Of every simulation, s. Default: the scene's.
+
+  /// Whether the table's columns are scenes and each solver is a line of a row, as in Table III.
+  bool by_scene() const { return table == 3; }
 };
 
-/// The plan of Table `table`, 1 or 2; with `all_solvers`, the rest of the own rows as columns.
-PaperPlan paper_plan(int table, bool all_solvers);
+/// In Table III, the solver whose motion all others' are compared with: place in PaperPlan::solvers.
+inline constexpr std::size_t reference_solver = 1;
 
-/// The paper's solver at its constants, judged as there.
-PaperColumn proposed_column();
+/// By which rows on the corpus are judged once more.
+inline constexpr Acceptance second_look{Acceptance::Criterion::residual, 1e-6};
 
-/// Ours: `best-first` with its defaults, judged by the residual.
-PaperColumn own_column();
+/// The plan of Table `table`: 1, 2 or 3, whose columns are `hoist` at 1 and 10 ms, `ring` and `net`.
+/// With `all_solvers` also the rest of the own rows, in Table III with `limit`. Throws
+/// std::invalid_argument on another number.
+PaperPlan paper_plan(int table, bool all_solvers, double limit = 600);
 
-/// A column for every row of the registry that is not among `there`: rows that work in the paper's
-/// units (scale = off) judged by its criterion, others by the residual.
-std::vector<PaperColumn> rest_of_registry(const std::vector<PaperColumn>& there);
+/// The paper's solver at its constants.
+extern const char* const proposed_solver;
 
-/// The solver of a delta of the sweep, and the column it makes.
+/// The column of a delta of the sweep.
 PaperColumn column_of_delta(const std::string& delta);
 
 }  // namespace lcp

@@ -13,27 +13,23 @@ namespace lcp {
 
 namespace {
 
-using nlohmann::json;
-
-PublishedRow parse_row(const json& object, std::size_t columns) {
-  PublishedRow row{object.at("row"), object.at("unit"), {}, object.value("at_most", false)};
-  for (const json& value : object.at("values"))
-    row.values.push_back(value.is_null() ? std::optional<double>() : value.get<double>());
-  if (row.values.size() != columns)
-    throw std::invalid_argument(fmt::format("row '{}': {} values, expected {}, one per column",
-                                            row.row, row.values.size(), columns));
-  return row;
-}
-
-PublishedTable parse_table(const json& object) {
+PublishedTable parse_table(const nlohmann::json& object) {
   PublishedTable table{.table = object.at("table"),
                        .title = object.at("title"),
                        .section = object.at("section"),
                        .columns = object.at("columns"),
                        .rows = {},
                        .notes = object.at("notes")};
-  for (const json& row : object.at("rows"))
-    table.rows.push_back(parse_row(row, table.columns.size()));
+  for (const nlohmann::json& each : object.at("rows")) {
+    PublishedTable::Row& row = table.rows[each.at("row")];
+    row.at_most = each.value("at_most", false);
+    for (const nlohmann::json& value : each.at("values"))
+      row.values.push_back(value.is_null() ? std::optional<double>() : value.get<double>());
+    if (row.values.size() != table.columns.size())
+      throw std::invalid_argument(fmt::format("row '{}': {} values, expected {}, one per column",
+                                              each.at("row").get<std::string>(), row.values.size(),
+                                              table.columns.size()));
+  }
   return table;
 }
 
@@ -42,14 +38,14 @@ PublishedTable parse_table(const json& object) {
 std::optional<double> PublishedTable::value(const std::string& row,
                                             const std::string& column) const {
   const auto place = std::find(columns.begin(), columns.end(), column);
-  const PublishedRow* found = find(row);
-  if (place == columns.end() || !found) return std::nullopt;
-  return found->values[static_cast<std::size_t>(place - columns.begin())];
+  const auto found = rows.find(row);
+  if (place == columns.end() || found == rows.end()) return std::nullopt;
+  return found->second.values[static_cast<std::size_t>(place - columns.begin())];
 }
 
 bool PublishedTable::at_most(const std::string& row) const {
-  const PublishedRow* found = find(row);
-  return found && found->at_most;
+  const auto found = rows.find(row);
+  return found != rows.end() && found->second.at_most;
 }
 
 bool PublishedTable::departs(const std::string& row, const std::string& column,
@@ -57,12 +53,6 @@ bool PublishedTable::departs(const std::string& row, const std::string& column,
   const std::optional<double> stated = value(row, column);
   if (!stated) return false;
   return at_most(row) ? !(measured <= *stated) : far_from(measured, *stated);
-}
-
-const PublishedRow* PublishedTable::find(const std::string& row) const {
-  const auto found = std::find_if(rows.begin(), rows.end(),
-                                  [&](const PublishedRow& each) { return each.row == row; });
-  return found == rows.end() ? nullptr : &*found;
 }
 
 const PublishedTable& Published::table(int number) const {
@@ -77,11 +67,12 @@ const PublishedTable& Published::table(int number) const {
 
 Published parse_published(const std::string& text) {
   try {
-    const json object = json::parse(text);
+    const nlohmann::json object = nlohmann::json::parse(text);
     Published all{object.at("source"), {}};
-    for (const json& table : object.at("tables")) all.tables.push_back(parse_table(table));
+    for (const nlohmann::json& table : object.at("tables"))
+      all.tables.push_back(parse_table(table));
     return all;
-  } catch (const json::exception& error) {
+  } catch (const nlohmann::json::exception& error) {
     throw std::invalid_argument(fmt::format("published tables: {}", error.what()));
   }
 }

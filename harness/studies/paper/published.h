@@ -1,24 +1,24 @@
 #pragma once
 
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
 
 namespace lcp {
 
-/// A quantity of a published table under the name that `table --format json` gives it.
-struct PublishedRow {
-  std::string row, unit;
-  std::vector<std::optional<double>> values;  ///< One per column; empty where nothing is stated.
-  bool at_most = false;  ///< Each value is an upper bound: of the text, which gives no table.
-};
-
 /// A table of the paper as printed.
 struct PublishedTable {
+  /// A quantity, under the name that `table --format json` gives it.
+  struct Row {
+    std::vector<std::optional<double>> values;  ///< One per column; empty where nothing is stated.
+    bool at_most = false;  ///< Each value is an upper bound: of the text, which gives no table.
+  };
+
   int table = 0;
   std::string title, section;
   std::vector<std::string> columns;
-  std::vector<PublishedRow> rows;
+  std::map<std::string, Row> rows;
   std::vector<std::string> notes;  ///< What the paper's text adds.
 
   /// Empty where the paper states nothing, also for rows and columns that it does not have.
@@ -28,9 +28,6 @@ struct PublishedTable {
   /// Whether a measured value is far_from the published one, or above one that is an upper bound;
   /// false where the paper states nothing.
   bool departs(const std::string& row, const std::string& column, double measured) const;
-
- private:
-  const PublishedRow* find(const std::string& row) const;
 };
 
 /// paper/published.json.

@@ -4,235 +4,69 @@
 
 #include <cmath>
 #include <stdexcept>
-
-#include "solvers/registry.h"
+#include <utility>
 
 namespace lcp {
 
 namespace {
 
-std::optional<double> nothing(const CorpusColumn&) { return std::nullopt; }
-std::optional<double> nowhere(const LoopColumn&) { return std::nullopt; }
-
-/// Empty for a column that crashed before its first frame, and for what is no number.
-template <class Value>
-std::function<std::optional<double>(const LoopColumn&)> in_loop(Value LoopSummary::*field) {
-  return [field](const LoopColumn& column) -> std::optional<double> {
-    const double value = static_cast<double>(column.summary.*field);
-    if (column.summary.steps == 0 || std::isnan(value)) return std::nullopt;
-    return value;
-  };
-}
-
-std::function<std::optional<double>(const CorpusColumn&)> on_corpus(Index TableRow::*field) {
-  return [field](const CorpusColumn& column) { return static_cast<double>(column.counts.*field); };
-}
-
-std::function<std::optional<double>(const CorpusColumn&)> on_corpus(
-    std::optional<double> TableRow::*field) {
-  return [field](const CorpusColumn& column) { return column.counts.*field; };
-}
-
-/// The threshold of ties, where the solver has one.
-std::optional<double> delta_of(const std::string& solver) {
-  const NamedSolver named = make_solver(solver);  // which the options' getters refer to
-  for (const Option& option : named.solver->options())
-    if (option.name == "delta") return std::stod(option.get());
-  return std::nullopt;
-}
-
-PaperQuantity count(std::string key, std::string label, Index LoopSummary::*field,
-                    Index TableRow::*corpus_field, bool judged = true) {
-  return {.key = std::move(key),
-          .label = std::move(label),
-          .unit = "frames",
-          .in_loop = in_loop(field),
-          .on_corpus = on_corpus(corpus_field),
-          .counted = true,
-          .judged = judged};
-}
-
-std::vector<PaperQuantity> make_quantities() {
-  const auto pivots = [](const CorpusColumn& c) { return static_cast<double>(c.pivots); };
-  return {
-      {.key = "duration",
-       .label = "duration (s)",
-       .unit = "s",
-       .number = "{:g}",
-       .in_loop = in_loop(&LoopSummary::duration),
-       .on_corpus = nothing},
-      {.key = "delta",
-       .label = "threshold delta",
-       .number = "{:.0e}",
-       .in_loop = [](const LoopColumn& c) { return delta_of(c.question.solver); },
-       .on_corpus = [](const CorpusColumn& c) { return delta_of(c.solver); }},
-      {.key = "contacts",
-       .label = "contacts",
-       .number = "{:.2f}",
-       .in_loop = in_loop(&LoopSummary::contacts),
-       .on_corpus = on_corpus(&TableRow::contacts)},
-      {.key = "active",
-       .label = "active",
-       .number = "{:.2f}",
-       .in_loop = in_loop(&LoopSummary::active),
-       .on_corpus = on_corpus(&TableRow::active)},
-      count("total_frames", "total frames", &LoopSummary::total_frames, &TableRow::instances,
-            false),
-      count("success", "success", &LoopSummary::success, &TableRow::success),
-      count("failure", "failure", &LoopSummary::failure, &TableRow::failure),
-      count("no_solution", "  no solution", &LoopSummary::no_solution, &TableRow::no_solution),
-      count("cycle", "  cycle", &LoopSummary::cycle, &TableRow::cycle),
-      count("error", "  error", &LoopSummary::error, &TableRow::error),
-      count("unsupported", "unsupported", &LoopSummary::unsupported, &TableRow::unsupported),
-      {.key = "lcp_time_ms",
-       .label = "LCP solve time (ms)",
-       .unit = "ms",
-       .number = "{:.3f}",
-       .in_loop = in_loop(&LoopSummary::lcp_ms),
-       .on_corpus = [](const CorpusColumn& c) { return std::optional(c.lcp_ms); }},
-      {.key = "simulation_time_ms",
-       .label = "simulation time (ms)",
-       .unit = "ms",
-       .number = "{:.3f}",
-       .in_loop = in_loop(&LoopSummary::simulation_ms),
-       .on_corpus = nothing},
-      {.key = "total_pivots",
-       .label = "total pivots",
-       .unit = "pivots",
-       .in_loop = in_loop(&LoopSummary::pivots),
-       .on_corpus = pivots,
-       .counted = true},
-      {.key = "frictionless_failures",
-       .label = "frictionless failed",
-       .unit = "frames",
-       .in_loop = in_loop(&LoopSummary::frictionless_failures),
-       .on_corpus =
-           [](const CorpusColumn& c) { return static_cast<double>(c.frictionless_failures); },
-       .counted = true,
-       .judged = true},
-      {.key = "both_failures",
-       .label = "both failed",
-       .unit = "frames",
-       .in_loop = in_loop(&LoopSummary::both_failures),
-       .on_corpus = [](const CorpusColumn& c) { return static_cast<double>(c.both_failures); },
-       .counted = true,
-       .judged = true},
-      {.key = "fell",
-       .label = "fell",
-       .unit = "1 if so",
-       .in_loop = [](const LoopColumn& c) { return std::optional<double>(c.fell()); },
-       .on_corpus = nothing,
-       .counted = true},
-      {.key = "tilt_max",
-       .label = "tilt at most (deg)",
-       .unit = "rad",
-       .scale = 180 / M_PI,
-       .number = "{:.1f}",
-       .in_loop = in_loop(&LoopSummary::tilt_max),
-       .on_corpus = nothing},
-      {.key = "depth_max",
-       .label = "penetration (mm)",
-       .unit = "m",
-       .scale = 1e3,
-       .number = "{:.3g}",
-       .in_loop = in_loop(&LoopSummary::depth_max),
-       .on_corpus = nothing},
-      {.key = "energy_excess",
-       .label = "energy excess (%)",
-       .scale = 100,
-       .number = "{:.2g}",
-       .in_loop = in_loop(&LoopSummary::energy_excess),
-       .on_corpus = nothing},
-      {.key = "work",
-       .label = "work of pulls (J)",
-       .unit = "J",
-       .number = "{:.3g}",
-       .in_loop = in_loop(&LoopSummary::work),
-       .on_corpus = nothing},
-      {.key = "gap_end",
-       .label = "loops open (mm)",
-       .unit = "m",
-       .scale = 1e3,
-       .number = "{:.1e}",
-       .in_loop = [](const LoopColumn& c) -> std::optional<double> {
-         if (c.summary.gap_max == 0) return std::nullopt;  // no loops
-         return c.summary.gap_end;
-       },
-       .on_corpus = nothing},
-      {.key = "force_mismatch",
-       .label = "force mismatch (%)",
-       .scale = 100,
-       .number = "{:.2g}",
-       .in_loop = in_loop(&LoopSummary::force_mismatch),
-       .on_corpus = nothing},
-      {.key = "residual_median",
-       .label = "residual, median",
-       .number = "{:.1e}",
-       .in_loop = in_loop(&LoopSummary::residual_median),
-       .on_corpus = on_corpus(&TableRow::residual_median),
-       .judged = true},
-      {.key = "residual_max",
-       .label = "residual, largest",
-       .number = "{:.1e}",
-       .in_loop = in_loop(&LoopSummary::residual_max),
-       .on_corpus = on_corpus(&TableRow::residual_max),
-       .judged = true},
-      {.key = "nodes",
-       .label = "nodes, mean",
-       .number = "{:.1f}",
-       .in_loop = [](const LoopColumn& c) -> std::optional<double> {
-         if (c.summary.total_frames == 0) return std::nullopt;
-         return static_cast<double>(c.summary.nodes) / static_cast<double>(c.summary.total_frames);
-       },
-       .on_corpus = on_corpus(&TableRow::nodes)},
-      {.key = "pivots",
-       .label = "pivots, mean",
-       .number = "{:.1f}",
-       .in_loop = [](const LoopColumn& c) -> std::optional<double> {
-         if (c.summary.total_frames == 0) return std::nullopt;
-         return static_cast<double>(c.summary.pivots) / static_cast<double>(c.summary.total_frames);
-       },
-       .on_corpus = on_corpus(&TableRow::pivots)},
-      {.key = "wrong",
-       .label = "wrong",
-       .unit = "frames",
-       .in_loop = nowhere,
-       .on_corpus = on_corpus(&TableRow::wrong),
-       .counted = true,
-       .judged = true},
-      {.key = "unclaimed",
-       .label = "unclaimed",
-       .unit = "frames",
-       .in_loop = nowhere,
-       .on_corpus = on_corpus(&TableRow::unclaimed),
-       .counted = true,
-       .judged = true},
-      {.key = "not_run",
-       .label = "not run",
-       .unit = "frames",
-       .in_loop = nowhere,
-       .on_corpus = on_corpus(&TableRow::not_run),
-       .counted = true},
-      {.key = "trivial",
-       .label = "trivial, of success",
-       .unit = "frames",
-       .in_loop = nowhere,
-       .on_corpus = on_corpus(&TableRow::trivial),
-       .counted = true,
-       .judged = true},
-      {.key = "time_median_ms",
-       .label = "median time (ms)",
-       .unit = "ms",
-       .number = "{:.3f}",
-       .in_loop = nowhere,
-       .on_corpus = on_corpus(&TableRow::time_median_ms)},
-  };
-}
+constexpr const char *whole = "{:.0f}", *truth = "1 if so";
+constexpr bool by_criterion = true;
 
 }  // namespace
 
+PaperQuantity::PaperQuantity(std::string key_, std::string heading_, std::string unit_,
+                             std::string number_, double scale_, bool judged_)
+    : unit(std::move(unit_)), judged(judged_) {
+  key = std::move(key_);
+  heading = std::move(heading_);
+  number = std::move(number_);
+  scale = scale_;
+}
+
+Cell PaperQuantity::stated(const std::optional<double>& value) const {
+  return value && number == whole ? Cell(static_cast<Index>(*value)) : cell_of(value);
+}
+
+Cell PaperQuantity::for_reader(const Cell& value) const {
+  return unit == truth && !value.is_null() ? Cell(value != 0) : value;
+}
+
 const std::vector<PaperQuantity>& paper_quantities() {
-  static const std::vector<PaperQuantity> all = make_quantities();
+  static const std::vector<PaperQuantity> all = {
+      {"duration", "duration (s)", "s", "{:g}"},
+      {"delta", "threshold delta", "", "{:.0e}"},
+      {"contacts", "contacts", "", "{:.2f}"},
+      {"active", "active", "", "{:.2f}"},
+      {"total_frames", "total frames", "frames"},
+      {"success", "success", "frames", whole, 1, by_criterion},
+      {"failure", "failure", "frames", whole, 1, by_criterion},
+      {"no_solution", "  no solution", "frames", whole, 1, by_criterion},
+      {"cycle", "  cycle", "frames", whole, 1, by_criterion},
+      {"error", "  error", "frames", whole, 1, by_criterion},
+      {"unsupported", "unsupported", "frames", whole, 1, by_criterion},
+      {"lcp_time_ms", "LCP solve time (ms)", "ms", "{:.3f}"},
+      {"simulation_time_ms", "simulation time (ms)", "ms", "{:.3f}"},
+      {"total_pivots", "total pivots", "pivots"},
+      {"frictionless_failures", "frictionless failed", "frames", whole, 1, by_criterion},
+      {"both_failures", "both failed", "frames", whole, 1, by_criterion},
+      {"fell", "fell", truth},
+      {"tilt_max", "tilt at most (deg)", "rad", "{:.1f}", 180 / M_PI},
+      {"depth_max", "penetration (mm)", "m", "{:.3g}", 1e3},
+      {"energy_excess", "energy excess (%)", "", "{:.2g}", 100},
+      {"work", "work of pulls (J)", "J", "{:.3g}"},
+      {"gap_end", "loops open (mm)", "m", "{:.1e}", 1e3},
+      {"force_mismatch", "force mismatch (%)", "", "{:.2g}", 100},
+      {"residual_median", "residual, median", "", "{:.1e}", 1, by_criterion},
+      {"residual_max", "residual, largest", "", "{:.1e}", 1, by_criterion},
+      {"nodes", "nodes, mean", "", "{:.1f}"},
+      {"pivots", "pivots, mean", "", "{:.1f}"},
+      {"wrong", "wrong", "frames", whole, 1, by_criterion},
+      {"unclaimed", "unclaimed", "frames", whole, 1, by_criterion},
+      {"not_run", "not run", "frames"},
+      {"trivial", "trivial, of success", "frames", whole, 1, by_criterion},
+      {"time_median_ms", "median time (ms)", "ms", "{:.3f}"},
+  };
   return all;
 }
 
@@ -242,10 +76,21 @@ const PaperQuantity& paper_quantity(const std::string& key) {
   throw std::invalid_argument(fmt::format("no quantity '{}' in the paper's tables", key));
 }
 
-std::string printed(const PaperQuantity& quantity, double value) {
-  if (quantity.key == "fell") return value != 0 ? "yes" : "no";
-  if (value == 0) return "0";
-  return fmt::format(fmt::runtime(quantity.number), quantity.scale * value);
+nlohmann::json values_of(const LoopColumn& column) {
+  const LoopSummary& summary = column.summary;
+  nlohmann::json values = nlohmann::json::object();
+  if (summary.steps > 0) {
+    values = figures_of(summary);
+    for (nlohmann::json& value : values)
+      if (value.is_number() && std::isnan(value.get<double>())) value = nullptr;
+    if (summary.gap_max == 0) values["gap_end"] = nullptr;  // no loops
+  }
+  const auto frames = static_cast<double>(summary.total_frames);
+  for (const auto& [key, total] : {std::pair("nodes", summary.nodes), {"pivots", summary.pivots}})
+    values[key] =
+        frames == 0 ? nlohmann::json() : nlohmann::json(static_cast<double>(total) / frames);
+  values["fell"] = Index{column.fell()};
+  return values;
 }
 
 }  // namespace lcp

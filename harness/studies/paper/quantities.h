@@ -1,26 +1,27 @@
 #pragma once
 
-#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
 
-#include "harness/studies/paper/columns/corpus_columns.h"
+#include "harness/present/columns.h"
 #include "harness/studies/paper/columns/loop_columns.h"
 
 namespace lcp {
 
-/// A row of the paper's tables, or one of ours: named once for all that compute and print it.
-struct PaperQuantity {
-  std::string key;                ///< In JSON and CSV, and in paper/published.json.
-  std::string label;              ///< For a reader, with the unit.
-  std::string unit = {};          ///< Of the value in JSON and CSV; empty for plain numbers.
-  double scale = 1;               ///< What a reader sees is the value times this.
-  const char* number = "{:.0f}";  ///< Format for a reader.
-  std::function<std::optional<double>(const LoopColumn&)> in_loop;
-  std::function<std::optional<double>(const CorpusColumn&)> on_corpus;
-  bool counted = false;  ///< A whole number.
-  bool judged = false;   ///< Depends on the criterion of success.
+/// A row of the paper's tables, or one of ours: a key in JSON, CSV and paper/published.json, a heading
+/// with the unit that a reader sees, named once for all that print it.
+struct PaperQuantity : ColumnHead {
+  std::string unit;     ///< Of the value in JSON and CSV; empty for plain numbers.
+  bool judged = false;  ///< Depends on the criterion of success.
+
+  PaperQuantity(std::string key, std::string heading, std::string unit,
+                std::string number = "{:.0f}", double scale = 1, bool judged = false);
+
+  /// A published value as JSON holds it: what is counted is a whole number.
+  Cell stated(const std::optional<double>& value) const;
+  /// A value of JSON as a reader gets it: yes or no where it is the truth of something.
+  Cell for_reader(const Cell& value) const;
 };
 
 /// All, in the order of JSON.
@@ -29,7 +30,8 @@ const std::vector<PaperQuantity>& paper_quantities();
 /// Throws std::invalid_argument on an unknown key.
 const PaperQuantity& paper_quantity(const std::string& key);
 
-/// A value as a reader sees it; `fell` is yes or no.
-std::string printed(const PaperQuantity& quantity, double value);
+/// The values of a simulation by the keys of the quantities, null or missing where there is none: all but
+/// `fell` are for one that crashed before its first frame.
+nlohmann::json values_of(const LoopColumn& column);
 
 }  // namespace lcp

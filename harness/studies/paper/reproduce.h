@@ -1,22 +1,13 @@
 #pragma once
 
 #include <atomic>
-#include <filesystem>
-#include <functional>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "harness/studies/paper/paper_table.h"
 
 namespace lcp {
-
-/// How a table is computed.
-struct Reproduction {
-  std::filesystem::path directory;  ///< Of the table; see PaperDirectory.
-  int jobs = 1;                     ///< Simulations, or pairs on the corpus, at the same time.
-  std::function<void(const std::string&)> note = [](const std::string&) {};
-  std::function<void(const Progress&)> progress = [](const Progress&) {};  ///< Of a stage.
-};
 
 /// Computes what the directory does not hold yet and sets the table together: simulations, the
 /// corpus, the rows of the columns on it. Empty when `interrupted`; what was finished stays.

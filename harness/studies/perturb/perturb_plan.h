@@ -21,15 +21,6 @@ enum class DisturbanceKind {
   scale_q,      ///< q times a power of ten, 1e-6 ... 1e6.
 };
 
-constexpr auto names_of(DisturbanceKind) {
-  using enum DisturbanceKind;
-  return EnumNames{"kind", std::to_array<EnumName<DisturbanceKind>>({{noise, "noise"},
-                                                                     {permutation, "permutation"},
-                                                                     {units, "units"},
-                                                                     {rotation, "rotation"},
-                                                                     {scale_q, "scale-q"}})};
-}
-
 /// Which disturbances an instance meets.
 struct PerturbOptions {
   std::vector<DisturbanceKind> kinds = all_values<DisturbanceKind>();

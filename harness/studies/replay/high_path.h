@@ -7,7 +7,7 @@
 
 namespace lcp {
 
-/// What a run in 113 bits may cost, and whom it tells.
+/// Limits of a run in 113 bits, and its observer.
 struct HighLimits {
   double zero = 10;          ///< As in HighDictionary: in units of the estimated error.
   Index most_pivots = 1000;  ///< Pivots followed, or nodes checked.

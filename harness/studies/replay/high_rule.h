@@ -24,10 +24,10 @@ struct PathRule {
 /// empty for other rows.
 std::optional<PathRule> path_rule(const NamedSolver& solver);
 
-/// What a solver's options are set to, by name.
+/// The settings of a solver's options, by name.
 std::map<std::string, std::string> settings_of(const NamedSolver& solver);
 
-/// What Step 0 or Step 1 chose; row -1: nothing blocks.
+/// The choice of Step 0 or Step 1; row -1: nothing blocks.
 struct HighChoice {
   Index row = -1;
   Estimate ratio = {};

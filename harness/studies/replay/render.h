@@ -8,7 +8,7 @@
 namespace lcp {
 
 /// The departure as a sentence, in the instance's own numbering, rows and pivots from 1: `first wrong
-/// pivot: number 5: ...`; where there is none, how far the two agree.
+/// pivot: number 5: ...`; without a wrong pivot, how far the two agree.
 std::string sentence(const Replay& replay, Index n);
 
 /// One screen of at most 100 columns: verdict, what 113 bits say, the departure, and the pivots from

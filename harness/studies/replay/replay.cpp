@@ -123,7 +123,7 @@ void compare(const NamedSolver& solver, const Problem& problem, const IslandRun&
     Result answer;
     answer.z = replay.path.z;
     replay.path_residual = measure(problem, answer).residual;
-    replay.path_verdict = verdict_from_string(to_string(replay.path.claim));
+    replay.path_verdict = from_string<Verdict>(to_string(replay.path.claim));
     if (replay.path.claim == Claim::solved && !(replay.path_residual <= options.tolerance))
       replay.path_verdict = Verdict::wrong;
   } else if (const std::optional<SearchRule> search = search_rule(solver)) {

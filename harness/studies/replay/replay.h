@@ -7,7 +7,7 @@
 
 namespace lcp {
 
-/// What is compared with the solver's pivots.
+/// The path or rule that the solver's pivots are compared with.
 enum class Beside {
   path,    ///< The path that the same rule takes in 113 bits.
   search,  ///< Each pivot by itself: may a search take it, from the same basis in 113 bits?
@@ -59,7 +59,7 @@ struct Replay {
   std::vector<Trace::Step> steps;  ///< Every pivot, in the numbering of the island.
   std::size_t begin = 0, end = 0;  ///< Those to be shown.
   std::optional<Departure> departure;
-  /// Of Beside::path, from the departure on: the first pivot of the run that is none in 113 bits, from
+  /// Of Beside::path, from the departure on: the first pivot of the run that is 0 in 113 bits, from
   /// the run's own basis; looked for among the first HighLimits::most_pivots.
   std::optional<Departure> first_none;
 

@@ -15,10 +15,8 @@ namespace lcp {
 
 namespace {
 
-using nlohmann::json;
-
 /// Options arrive as they are spelled.
-std::optional<double> numeric(const json& value) {
+std::optional<double> numeric(const nlohmann::json& value) {
   if (value.is_number()) return value.get<double>();
   if (!value.is_string()) return std::nullopt;
   const std::string text = value.get<std::string>();
@@ -28,13 +26,13 @@ std::optional<double> numeric(const json& value) {
   return read;
 }
 
-std::string spelled(const json& value) {
+std::string spelled(const nlohmann::json& value) {
   return value.is_string() ? value.get<std::string>() : value.dump();
 }
 
 /// Null where the row knows no such option.
-json option_of(const Record& record, const std::string& name) {
-  return record.options.contains(name) ? record.options.at(name) : json();
+nlohmann::json option_of(const Record& record, const std::string& name) {
+  return record.options.contains(name) ? record.options.at(name) : nlohmann::json();
 }
 
 /// The settings of one registry row from one start: place in the group's rows, and options.
@@ -46,10 +44,10 @@ struct RowSettings {
   std::vector<Member> members;
 
   /// The value that most members have, the first of them on a tie.
-  json commonest(const std::string& option) const {
-    std::map<json, Index> counts;
+  nlohmann::json commonest(const std::string& option) const {
+    std::map<nlohmann::json, Index> counts;
     for (const Member& member : members) ++counts[option_of(*member.record, option)];
-    json best = option_of(*members.front().record, option);
+    nlohmann::json best = option_of(*members.front().record, option);
     for (const auto& [value, count] : counts)
       if (count > counts[best]) best = value;
     return best;
@@ -111,10 +109,10 @@ std::vector<Ladder> make_ladders(const std::vector<Entry>& entries,
   std::vector<Ladder> ladders;
   for (const auto& [name, family] : families(entries, rows)) {
     for (const auto& [option, unused] : family.members.front().record->options.items()) {
-      std::map<json, std::vector<RowSettings::Member>> clusters;  // by all other options
+      std::map<nlohmann::json, std::vector<RowSettings::Member>> clusters;  // by all other options
       for (const RowSettings::Member& member : family.members) {
         if (!numeric(option_of(*member.record, option))) continue;
-        json others = member.record->options;
+        nlohmann::json others = member.record->options;
         others.erase(option);
         clusters[others].push_back(member);
       }
@@ -127,7 +125,7 @@ std::vector<Ladder> make_ladders(const std::vector<Entry>& entries,
                          [&](const RowSettings::Member& a, const RowSettings::Member& b) {
                            return value(a) > value(b);
                          });
-        const json usual = family.commonest(option);
+        const nlohmann::json usual = family.commonest(option);
         const auto base = std::find_if(members.begin(), members.end(), [&](const auto& member) {
           return member.record->options.at(option) == usual;
         });

@@ -14,6 +14,7 @@
 
 #include "harness/observed_quantile.h"
 #include "harness/studies/sheet/entries.h"
+#include "harness/studies/sheet/render.h"
 #include "harness/studies/table/table.h"
 
 namespace lcp {
@@ -36,29 +37,19 @@ std::vector<std::string> chosen(const std::vector<std::string>& all,
   if (patterns.empty()) return all;
   std::set<std::string> fitting;
   for (const std::string& pattern : patterns) {
-    const auto fits = [&](const std::string& corpus) {
-      return corpus == pattern || fnmatch(pattern.c_str(), corpus.c_str(), 0) == 0;
-    };
-    if (std::none_of(all.begin(), all.end(), fits))
+    bool any = false;
+    for (const std::string& corpus : all)
+      if (corpus == pattern || fnmatch(pattern.c_str(), corpus.c_str(), 0) == 0) {
+        fitting.insert(corpus);
+        any = true;
+      }
+    if (!any)
       throw std::invalid_argument(
           fmt::format("no corpus matches '{}', the run has: {}", pattern, fmt::join(all, ", ")));
-    for (const std::string& corpus : all)
-      if (fits(corpus)) fitting.insert(corpus);
   }
-  std::vector<std::string> kept;
-  for (const std::string& corpus : all)
-    if (fitting.count(corpus) > 0) kept.push_back(corpus);
+  std::vector<std::string> kept = all;
+  std::erase_if(kept, [&](const std::string& corpus) { return fitting.count(corpus) == 0; });
   return kept;
-}
-
-double tolerance_of(const std::vector<Record>& records, const SheetOptions& options) {
-  if (options.tolerance) return *options.tolerance;
-  for (const Record& record : records)
-    if (record.tolerance != records.front().tolerance)
-      throw std::invalid_argument(
-          fmt::format("rows were judged at {} and at {}: a tolerance is needed to compare them",
-                      records.front().tolerance, record.tolerance));
-  return records.empty() ? 0 : records.front().tolerance;
 }
 
 /// Registry rows of which some pair brought an answer and none counted any work.
@@ -251,7 +242,7 @@ Group make_group(const std::string& name, const std::vector<Entry>& entries, std
 Sheet make_sheet(const std::vector<Record>& records, const SheetOptions& options) {
   Sheet sheet;
   sheet.options = options;
-  sheet.tolerance = tolerance_of(records, options);
+  sheet.tolerance = options.tolerance ? *options.tolerance : common_tolerance(records);
   const std::vector<std::string> corpora = chosen(corpora_of(records), options.corpora);
   const std::set<std::string> without = options.measure == Measure::time
                                             ? std::set<std::string>{}
@@ -318,6 +309,16 @@ std::vector<std::size_t> highlights(const Sheet& sheet, const Group& group, std:
   std::stable_partition(order.begin(), order.end(), first_of_row);
   order.resize(std::min(order.size(), most));
   return order;
+}
+
+std::vector<std::size_t> best_solving_front(const Group& group) {
+  double share = 0;
+  for (const SheetRow& row : group.rows)
+    if (row.front) share = std::max(share, row.mass.share_solved());
+  std::vector<std::size_t> most;
+  for (std::size_t i = 0; i < group.rows.size(); ++i)
+    if (group.rows[i].front && group.rows[i].mass.share_solved() == share) most.push_back(i);
+  return most;
 }
 
 }  // namespace lcp

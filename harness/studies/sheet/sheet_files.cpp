@@ -18,12 +18,12 @@ void write_sheet(const Sheet& sheet, const std::filesystem::path& directory) {
   replace_file(path("sheet", ".csv").string(), render(sheet, SheetFormat::csv));
   replace_file(path("sheet", ".json").string(), render(sheet, SheetFormat::json));
   if (drawn_groups(sheet, 1).empty()) return;
-  draw_chart(sheet, path("chart", ".svg"));
-  draw_step_curves(path("sheet", "-profile.svg"), profile_page(sheet));
+  draw_figure(path("chart", ".svg"), chart_figure(sheet));
+  draw_figure(path("sheet", "-profile.svg"), profile_figure(sheet));
   if (!sheet.options.accuracies.empty())
-    draw_step_curves(path("sheet", "-cumulative.svg"), cumulative_page(sheet));
+    draw_figure(path("sheet", "-cumulative.svg"), cumulative_figure(sheet));
   if (timed && !sheet.options.budgets_ms.empty())
-    draw_step_curves(path("sheet", "-accuracy.svg"), accuracy_page(sheet));
+    draw_figure(path("sheet", "-accuracy.svg"), accuracy_figure(sheet));
 }
 
 Sheet write_sheet(const std::filesystem::path& directory, const SheetOptions& options,

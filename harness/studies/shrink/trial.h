@@ -19,13 +19,13 @@ struct Trial {
   Verdict verdict = Verdict::not_run;
   bool unclaimed = false;
   bool trivial = false;
-  double residual = 0;  ///< Of its z; infinite where there is none.
+  double residual = 0;  ///< Of its z; infinite without a z.
   Index pivots = 0;
 
   bool solved() const { return verdict == Verdict::solved; }
 };
 
-/// What must stay true of a smaller problem.
+/// A condition that a smaller problem must still meet.
 struct Invariant {
   enum class Keep {
     verdict,  ///< The solver's verdict, and whether its z passes all the same.
@@ -63,7 +63,7 @@ class Trials {
   /// The problem to begin with. From now on a candidate has to fare as it did.
   void begin_with(const Problem& problem, const Fared& fared);
   /// Whether a smaller problem keeps the invariant. False once the budget is spent or the user
-  /// interrupts, which stopped() then tells.
+  /// interrupts, which stopped() then reports.
   bool keeps(const Problem& problem);
 
   /// How a problem fared that was begun with or keeps the invariant.

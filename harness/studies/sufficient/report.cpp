@@ -5,22 +5,18 @@
 
 #include <algorithm>
 #include <cmath>
-#include <nlohmann/json.hpp>
-#include <stdexcept>
 
-#include "harness/present/escaping.h"
+#include "harness/present/columns.h"
 
 namespace lcp {
 
 namespace {
 
-using Json = nlohmann::ordered_json;
+constexpr double kPercent = 100;
 
-constexpr double mm = 1e3, percent = 100;
-
-std::vector<const ModelRow*> all_rows(const Study& study) {
-  std::vector<const ModelRow*> rows = {&study.reference, &study.disturbed};
-  for (const ModelRow& row : study.rows) rows.push_back(&row);
+std::vector<ModelRow> all_rows(const Study& study) {
+  std::vector<ModelRow> rows = {study.reference, study.disturbed};
+  rows.insert(rows.end(), study.rows.begin(), study.rows.end());
   return rows;
 }
 
@@ -44,38 +40,45 @@ std::string verdict_of(const Study& study, const ModelRow& row) {
   return row.cheaper ? "passes" : "passes, saves nothing";
 }
 
-std::string errors_of(const PhysicalError& error) {
-  return fmt::format(
-      "trajectory {:.2g} mm, force {:.2g} % of the weight, penetration {:.2g} mm, "
-      "slip {:.2g} mm",
-      mm * error.trajectory, percent * error.force, mm * error.penetration, mm * error.slip);
+/// Of each kind the value of `of(kind)`: `trajectory 0.1 mm, force 2 % of the weight, ...`.
+template <class Of>
+std::string errors_of(const Of& of) {
+  std::vector<std::string> parts;
+  for (const ErrorKind& kind : error_kinds)
+    parts.push_back(fmt::format("{} {:.2g} {}", kind.name, kind.scale * of(kind),
+                                kind.error == &Drift::force ? "% of the weight" : kind.unit));
+  return fmt::format("{}", fmt::join(parts, ", "));
+}
+
+std::string errors_of(const Drift& error) {
+  return errors_of([&](const ErrorKind& kind) { return error.*kind.error; });
 }
 
 std::string saved(const Saving& saving) {
-  return fmt::format("{:.0f} % ({:.0f} to {:.0f})", percent * saving.all, percent * saving.low,
-                     percent * saving.high);
+  return fmt::format("{:.0f} % ({:.0f} to {:.0f})", kPercent * saving.all, kPercent * saving.low,
+                     kPercent * saving.high);
 }
 
 std::string compared_over(const Study& study) {
   const StudyPlan& plan = study.plan;
-  const char* untouched =
-      study.reference.frames > 0
-          ? ""
-          : "Nothing touches in this time, which says nothing of contact: try a longer "
-            "--duration.\n";
-  if (study.horizon == plan.duration)
-    return fmt::format(
-        "Compared over {:g} s; up to there the disturbed reference stays within {:g} of each "
-        "tolerance.\n{}",
-        study.horizon, plan.floor_share, untouched);
-  return fmt::format(
-      "Compared over {:g} s of {:g} s: then the disturbed reference is {:g} of a tolerance from "
-      "itself, and later differences say nothing.\n{}",
-      study.horizon, plan.duration, plan.floor_share, untouched);
+  const std::string text = study.horizon == plan.duration
+                               ? fmt::format(
+                                     "Compared over {:g} s; up to there the disturbed reference "
+                                     "stays within {:g} of each "
+                                     "tolerance.\n",
+                                     study.horizon, plan.floor_share)
+                               : fmt::format(
+                                     "Compared over {:g} s of {:g} s: then the disturbed reference "
+                                     "is {:g} of a tolerance "
+                                     "from itself, and later differences say nothing.\n",
+                                     study.horizon, plan.duration, plan.floor_share);
+  if (study.reference.frames > 0) return text;
+  return text +
+         "Nothing touches in this time, which says nothing of contact: try a longer --duration.\n";
 }
 
 std::string time_noise_of(const Study& study) {
-  const auto share = [](double noise) { return fmt::format("{:.1f} %", percent * noise); };
+  const auto share = [](double noise) { return fmt::format("{:.1f} %", kPercent * noise); };
   std::string text = share(std::abs(study.disturbed.step_saved.all)) + " more or less";
   double combined = -1;
   for (const ModelRow& row : study.rows)
@@ -96,153 +99,151 @@ std::string conclusion(const Study& study) {
 }
 
 /// One line for a table over several scenes.
-std::string summary_line(const Study& study, std::size_t width) {
-  const std::string name = fmt::format("{:<{}}", study.plan.ladder.scene, width);
-  if (!study.cheapest) return fmt::format("{}  nothing cheaper is enough\n", name);
+std::string summary_line(const Study& study) {
+  if (!study.cheapest)
+    return fmt::format("{}: nothing cheaper is enough\n", study.plan.ladder.scene);
   const ModelRow& row = study.rows[*study.cheapest];
   return fmt::format(
-      "{}  {}: n {:.1f} for {:.1f}, saves {:.0f} % of a step, {:.0f} % of the LCPs, "
+      "{}: {}: n {:.1f} for {:.1f}, saves {:.0f} % of a step, {:.0f} % of the LCPs, "
       "error {:.2g} of the tolerance\n",
-      name, row.model.label, row.n, study.reference.n, percent * row.step_saved.all,
-      percent * row.lcp_saved.all, over_tolerance(row.error, study.plan.criteria));
+      study.plan.ladder.scene, row.model.label, row.n, study.reference.n,
+      kPercent * row.step_saved.all, kPercent * row.lcp_saved.all,
+      over_tolerance(row.error, study.plan.criteria));
 }
 
-Json number(double value) { return std::isfinite(value) ? Json(value) : Json(); }
+std::string error_key(const ErrorKind& kind) { return fmt::format("{}_{}", kind.name, kind.unit); }
 
-Json to_json(const Saving& saving) {
-  return {{"all", number(saving.all)}, {"low", number(saving.low)}, {"high", number(saving.high)}};
+/// Of the text and CSV.
+std::vector<Column<ModelRow>> model_columns(const Study& study) {
+  std::vector<Column<ModelRow>> columns;
+  const auto add = [&](ColumnHead head, const char* exact, double scale, auto value) {
+    head.exact = exact;
+    columns.push_back({std::move(head), [=](const ModelRow& row) -> Cell {
+                         return scale * std::invoke(value, row);
+                       }});
+  };
+  const auto add_as_it_is = [&](ColumnHead head, auto value) {
+    columns.push_back({std::move(head), value});
+  };
+  add_as_it_is({"", "model"}, label_of);
+  add_as_it_is({"scene"}, [&study](const ModelRow&) { return study.plan.ladder.scene; });
+  add_as_it_is({"model"}, label_of);
+  add_as_it_is({"axis"}, &ModelRow::axis);
+  for (const ErrorKind& kind : error_kinds)
+    add({error_key(kind), kind.heading, kind.meaning, "{:.2g}"}, "{:.4g}", kind.scale,
+        [=](const ModelRow& row) { return row.error.*kind.error; });
+  add({"error_over_tolerance"}, "{:.4g}", 1,
+      [&study](const ModelRow& row) { return over_tolerance(row.error, study.plan.criteria); });
+  add({"n", "n", "size of the frictional LCP, mean over frames with contact", "{:.1f}"}, "{:.1f}",
+      1, &ModelRow::n);
+  add_as_it_is({"frames"}, &ModelRow::frames);
+  add_as_it_is({"failed_frames", "failed", "frames whose frictional LCP failed"},
+               &ModelRow::failed);
+  add({"lcp_ms_per_s", "LCP ms/s", "processor time of LCPs per simulated second", "{:.1f}"},
+      "{:.4g}", 1e3, &ModelRow::lcp);
+  add({"step_ms_per_s", "step ms/s", "the same of whole steps", "{:.1f}"}, "{:.4g}", 1e3,
+      &ModelRow::step);
+  const auto add_saving = [&](ColumnHead head, Saving ModelRow::*saving, double Saving::*end) {
+    add(std::move(head), "{:.1f}", kPercent, [=](const ModelRow& r) { return r.*saving.*end; });
+  };
+  add_saving({"lcp_saved_percent", "LCP -%", "part of the reference's time of LCPs that is saved"},
+             &ModelRow::lcp_saved, &Saving::all);
+  add_saving({"step_saved_percent", "step -%", "and of steps"}, &ModelRow::step_saved,
+             &Saving::all);
+  add_saving({"step_saved_low"}, &ModelRow::step_saved, &Saving::low);
+  add_saving({"step_saved_high"}, &ModelRow::step_saved, &Saving::high);
+  add({"time_noise_percent"}, "{:.1f}", kPercent, &ModelRow::time_noise);
+  add({"until_s"}, "{:.6g}", 1, &ModelRow::until);
+  add_as_it_is({"verdict", "verdict"},
+               [&study](const ModelRow& row) { return verdict_of(study, row); });
+  return columns;
 }
 
-Json to_json(const Study& study, const ModelRow& row) {
-  return {{"label", label_of(row)},
-          {"axis", row.axis},
-          {"scene", row.model.scene},
-          {"solver", row.model.solver},
-          {"trajectory_mm", number(mm * row.error.trajectory)},
-          {"force_percent", number(percent * row.error.force)},
-          {"penetration_mm", number(mm * row.error.penetration)},
-          {"slip_mm", number(mm * row.error.slip)},
-          {"error_over_tolerance", number(over_tolerance(row.error, study.plan.criteria))},
-          {"fails", exceeded(row.error, study.plan.criteria)},
-          {"until_s", row.until},
-          {"broken", row.broken},
-          {"stopped", row.stopped},
-          {"frames", row.frames},
-          {"failed_frames", row.failed},
-          {"n", row.n},
-          {"lcp_ms_per_s", number(1e3 * row.lcp)},
-          {"step_ms_per_s", number(1e3 * row.step)},
-          {"lcp_saved", to_json(row.lcp_saved)},
-          {"step_saved", to_json(row.step_saved)},
-          {"time_noise", number(row.time_noise)},
-          {"passes", row.passes},
-          {"cheaper", row.cheaper}};
+Cell json_of(const Saving& saving) {
+  return {{"all", saving.all}, {"low", saving.low}, {"high", saving.high}};
 }
 
-Json to_json(const Study& study) {
+Cell json_of(const Study& study, const ModelRow& row) {
+  Cell json = {{"label", label_of(row)},
+               {"axis", row.axis},
+               {"scene", row.model.scene},
+               {"solver", row.model.solver}};
+  for (const ErrorKind& kind : error_kinds)
+    json[error_key(kind)] = kind.scale * row.error.*kind.error;
+  json.update(Cell{{"error_over_tolerance", over_tolerance(row.error, study.plan.criteria)},
+                   {"fails", exceeded(row.error, study.plan.criteria)},
+                   {"until_s", row.until},
+                   {"broken", row.broken},
+                   {"stopped", row.stopped},
+                   {"frames", row.frames},
+                   {"failed_frames", row.failed},
+                   {"n", row.n},
+                   {"lcp_ms_per_s", 1e3 * row.lcp},
+                   {"step_ms_per_s", 1e3 * row.step},
+                   {"lcp_saved", json_of(row.lcp_saved)},
+                   {"step_saved", json_of(row.step_saved)},
+                   {"time_noise", row.time_noise},
+                   {"passes", row.passes},
+                   {"cheaper", row.cheaper}});
+  return json;
+}
+
+Cell json_of(const Study& study) {
   const StudyPlan& plan = study.plan;
-  Json rows = Json::array();
-  for (const ModelRow* row : all_rows(study)) rows.push_back(to_json(study, *row));
+  Cell rows = Cell::array(), criteria;
+  for (const ModelRow& row : all_rows(study)) rows.push_back(json_of(study, row));
+  for (const ErrorKind& kind : error_kinds) {
+    criteria[error_key(kind)] = kind.scale * plan.criteria.*kind.tolerance;
+    if (kind.error == &Drift::force) criteria["window_s"] = plan.criteria.window;
+  }
   return {{"scene", plan.ladder.scene},
           {"kept", plan.ladder.kept},
-          {"criteria",
-           {{"trajectory_mm", mm * plan.criteria.trajectory},
-            {"force_percent", percent * plan.criteria.force},
-            {"window_s", plan.criteria.window},
-            {"penetration_mm", mm * plan.criteria.penetration},
-            {"slip_mm", mm * plan.criteria.slip}}},
+          {"criteria", criteria},
           {"duration_s", plan.duration},
           {"compared_s", study.horizon},
           {"disturbance", plan.disturbance},
           {"floor_share", plan.floor_share},
           {"rounds", plan.rounds},
-          {"cheapest", study.cheapest ? Json(study.rows[*study.cheapest].model.label) : Json()},
+          {"cheapest", study.cheapest ? Cell(study.rows[*study.cheapest].model.label) : Cell()},
           {"rows", rows}};
 }
 
-std::string to_csv(const std::vector<Study>& studies) {
-  std::string csv =
-      "scene,model,axis,trajectory_mm,force_percent,penetration_mm,slip_mm,error_over_tolerance,n,"
-      "frames,failed_frames,lcp_ms_per_s,step_ms_per_s,lcp_saved_percent,step_saved_percent,"
-      "step_saved_low,step_saved_high,time_noise_percent,until_s,verdict\n";
-  for (const Study& study : studies)
-    for (const ModelRow* row : all_rows(study))
-      csv += fmt::format(
-          "{},{},{},{:.4g},{:.4g},{:.4g},{:.4g},{:.4g},{:.1f},{},{},{:.4g},{:.4g},{:.1f},{:.1f},"
-          "{:.1f},{:.1f},{:.1f},{:.6g},{}\n",
-          csv_quoted(study.plan.ladder.scene), csv_quoted(label_of(*row)), row->axis,
-          mm * row->error.trajectory, percent * row->error.force, mm * row->error.penetration,
-          mm * row->error.slip, over_tolerance(row->error, study.plan.criteria), row->n,
-          row->frames, row->failed, 1e3 * row->lcp, 1e3 * row->step, percent * row->lcp_saved.all,
-          percent * row->step_saved.all, percent * row->step_saved.low,
-          percent * row->step_saved.high, percent * row->time_noise, row->until,
-          csv_quoted(verdict_of(study, *row)));
-  return csv;
-}
-
-}  // namespace
-
-std::string render_text(const Study& study) {
+/// But for its table.
+std::string introduction(const Study& study) {
   const StudyPlan& plan = study.plan;
   std::string text = fmt::format("{}: reference {} with {}\n", plan.ladder.scene,
                                  study.reference.model.scene, study.reference.model.solver);
   if (!plan.ladder.kept.empty())
     text += fmt::format("Kept as the scene has it: {}.\n", fmt::join(plan.ladder.kept, ", "));
+  text += folded(fmt::format("The tolerances: {}.", errors_of([&](const ErrorKind& kind) {
+                               return plan.criteria.*kind.tolerance;
+                             })));
   text += compared_over(study);
-  text += fmt::format(
-      "Noise floor: the reference, its velocities disturbed by {:g}, differs by {}.\n"
-      "Times are processor time, of each frame the least of {} rounds. Their noise: the disturbed "
-      "reference takes {}.\n\n",
-      plan.disturbance, errors_of(study.disturbed.error), plan.rounds, time_noise_of(study));
-  std::size_t width = 5;
-  for (const ModelRow* row : all_rows(study)) width = std::max(width, label_of(*row).size());
-  text += fmt::format("{:<{}} {:>9} {:>9} {:>9} {:>9} {:>6} {:>6} {:>9} {:>9} {:>7} {:>6}  {}\n",
-                      "model", width, "traj mm", "force %", "depth mm", "slip mm", "n", "failed",
-                      "LCP ms/s", "step ms/s", "LCP -%", "step-%", "verdict");
-  for (const ModelRow* row : all_rows(study))
-    text += fmt::format(
-        "{:<{}} {:>9.2g} {:>9.2g} {:>9.2g} {:>9.2g} {:>6.1f} {:>6} {:>9.1f} {:>9.1f} {:>7.0f} "
-        "{:>6.0f}  {}\n",
-        label_of(*row), width, mm * row->error.trajectory, percent * row->error.force,
-        mm * row->error.penetration, mm * row->error.slip, row->n, row->failed, 1e3 * row->lcp,
-        1e3 * row->step, percent * row->lcp_saved.all, percent * row->step_saved.all,
-        verdict_of(study, *row));
-  text += fmt::format("{:<{}} {:>9.2g} {:>9.2g} {:>9.2g} {:>9.2g}  tolerances\n\n", "", width,
-                      mm * plan.criteria.trajectory, percent * plan.criteria.force,
-                      mm * plan.criteria.penetration, mm * plan.criteria.slip);
-  return text + conclusion(study);
+  text += folded(
+      fmt::format("Noise floor: the reference, its velocities disturbed by {:g}, differs by {}.",
+                  plan.disturbance, errors_of(study.disturbed.error)));
+  return text +
+         folded(fmt::format("Times are processor time, of each frame the least of {} rounds. Their "
+                            "noise: the disturbed reference takes {}.",
+                            plan.rounds, time_noise_of(study)));
 }
 
-std::string render(const std::vector<Study>& studies, TableFormat format) {
-  if (format == TableFormat::csv) return to_csv(studies);
-  if (format == TableFormat::json) {
-    Json all = Json::array();
-    for (const Study& study : studies) all.push_back(to_json(study));
-    return Json{{"studies", all}}.dump(1) + "\n";
-  }
-  if (format != TableFormat::text)
-    throw std::invalid_argument("sufficient: expected text, csv or json");
-  std::string text;
-  std::size_t width = 0;
+}  // namespace
+
+Described described(const std::vector<Study>& studies) {
+  Described all{.json = {{"studies", Cell::array()}}, .figure = figure_of(studies)};
+  std::string explained, ends;
   for (const Study& study : studies) {
-    text += render_text(study) + "\n";
-    width = std::max(width, study.plan.ladder.scene.size());
+    const CellTable table = cells_of(model_columns(study), all_rows(study));
+    all.text += introduction(study) + "\n" + text_table(table) + "\n" + conclusion(study) + "\n";
+    explained = legend(table);
+    all.csv += all.csv.empty() ? csv_text(table) : csv_rows(table);
+    all.json["studies"].push_back(json_of(study));
+    ends += summary_line(study);
   }
-  text +=
-      "  traj mm    largest distance of a link's centre of mass from the reference's\n"
-      "  force %    contact force on a mechanism (links held together by joints), averaged, over "
-      "the "
-      "weight: largest difference\n"
-      "  depth mm   largest difference of the deepest overlap\n"
-      "  slip mm    largest difference of the way that a link slipped on its contacts\n"
-      "  n          size of the frictional LCP, mean over frames with contact\n"
-      "  failed     frames whose frictional LCP failed\n"
-      "  LCP ms/s   processor time of LCPs, and of whole steps, per simulated second\n"
-      "  LCP -%     part of the reference's time of LCPs that is saved, and of steps\n";
-  if (studies.size() == 1) return text;
-  text += "\nCheapest model that is enough:\n";
-  for (const Study& study : studies) text += summary_line(study, width);
-  return text;
+  all.text += explained;
+  if (studies.size() > 1) all.text += "\nCheapest model that is enough:\n" + ends;
+  return all;
 }
 
 }  // namespace lcp

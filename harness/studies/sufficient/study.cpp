@@ -3,14 +3,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <functional>
 #include <limits>
 #include <map>
 #include <stdexcept>
 
-#include "harness/studies/loop/tracked_runs.h"
 #include "harness/studies/sufficient/combine.h"
 
 namespace lcp {
@@ -23,61 +20,37 @@ constexpr double kLeastPatience = 1;  // s
 constexpr Acceptance kAnyResidual{Acceptance::Criterion::residual,
                                   std::numeric_limits<double>::max()};
 
-struct Interrupted {};
-
-struct NamedError {
-  const char* name;
-  double PhysicalError::*error;
-  double Criteria::*tolerance;
-};
-constexpr std::array<NamedError, 4> kErrors{
-    {{"trajectory", &PhysicalError::trajectory, &Criteria::trajectory},
-     {"force", &PhysicalError::force, &Criteria::force},
-     {"penetration", &PhysicalError::penetration, &Criteria::penetration},
-     {"slip", &PhysicalError::slip, &Criteria::slip}}};
-
-PhysicalError error_of(const Drift& drift) {
-  return {drift.distance, drift.force, drift.depth, drift.slip};
-}
-
 /// Times of a model in each round, frame by frame.
-class Rounds {
- public:
+struct Rounds {
+  std::vector<VectorXd> lcp = {}, step = {};  // s
+  double simulated = 0;                       // s
+
   void add(const Track& track) {
     if (track.frames() == 0) return;
-    lcp_.push_back(track.lcp_s);
-    step_.push_back(track.step_s);
-    simulated_ = track.simulated();
+    lcp.push_back(track.lcp_s);
+    step.push_back(track.step_s);
+    simulated = track.simulated();
   }
-  bool empty() const { return step_.empty(); }
   /// s per simulated s, of the quickest round of each frame but for round `left_out`.
-  double lcp(std::size_t left_out = kNone) const { return quickest(lcp_, left_out); }
-  double step(std::size_t left_out = kNone) const { return quickest(step_, left_out); }
-  std::size_t count() const { return step_.size(); }
-
-  static constexpr std::size_t kNone = std::numeric_limits<std::size_t>::max();
-
- private:
-  double quickest(const std::vector<VectorXd>& rounds, std::size_t left_out) const {
+  double rate(std::vector<VectorXd> Rounds::*times, std::size_t left_out = -1) const {
     std::optional<VectorXd> least;
-    for (std::size_t i = 0; i < rounds.size(); ++i)
-      if (i != left_out) least = least ? least->cwiseMin(rounds[i]).eval() : rounds[i];
-    return least ? least->sum() / simulated_ : 0;
+    for (std::size_t i = 0; i < (this->*times).size(); ++i)
+      if (const VectorXd& round = (this->*times)[i]; i != left_out)
+        least = least ? least->cwiseMin(round).eval() : round;
+    return least ? least->sum() / simulated : 0;
   }
-
-  std::vector<VectorXd> lcp_, step_;
-  double simulated_ = 0;
 };
 
-/// `time` tells the time of a model with a round left out.
-template <class Time>
-Saving saving_of(const Rounds& model, const Rounds& reference, Time time) {
+Saving saving_of(const Rounds& model, const Rounds& reference,
+                 std::vector<VectorXd> Rounds::*times) {
   const auto saved = [&](std::size_t left_out) {
-    return 1 - time(model, left_out) / time(reference, left_out);
+    return 1 - model.rate(times, left_out) / reference.rate(times, left_out);
   };
-  Saving saving{saved(Rounds::kNone), saved(Rounds::kNone), saved(Rounds::kNone)};
-  if (reference.count() < 2 || model.count() < reference.count()) return saving;
-  for (std::size_t i = 0; i < reference.count(); ++i) {
+  const double all = saved(-1);
+  Saving saving{all, all, all};
+  const std::size_t rounds = (reference.*times).size();
+  if (rounds < 2 || (model.*times).size() < rounds) return saving;
+  for (std::size_t i = 0; i < rounds; ++i) {
     saving.low = std::min(saving.low, saved(i));
     saving.high = std::max(saving.high, saved(i));
   }
@@ -89,23 +62,47 @@ class Studied {
  public:
   Studied(const StudyPlan& plan, const std::function<void(const Progress&)>& progress,
           const std::atomic<bool>& interrupted)
-      : plan_(plan), progress_(progress), interrupted_(interrupted) {
+      : plan_(plan),
+        runs_{kAnyResidual, plan.criteria.window, plan.silence, progress, interrupted} {
     study_.plan = plan;
   }
 
   Study run() {
-    reference_model_ = model_of(plan_.ladder, Rungs(axes(), 0));
+    const Rungs none(plan_.ladder.axes.size(), 0);
+    reference_model_ = model_of(plan_.ladder, none);
     find_horizon();
-    vary_each_axis_alone();
-    combine_axes();
-    find_cheapest();
+    std::vector<SingleRung> singles;
+    std::vector<SceneModel> models;
+    std::vector<std::string> names;
+    for (std::size_t axis = 0; axis < none.size(); ++axis)
+      for (std::size_t rung = 1; rung < plan_.ladder.axes[axis].rungs.size(); ++rung) {
+        Rungs rungs = none;
+        rungs[axis] = rung;
+        models.push_back(model_of(plan_.ladder, rungs));
+        names.push_back(plan_.ladder.axes[axis].name);
+        singles.push_back({axis, rung, {}});
+      }
+    study_.rows = simulate(models, names);
+    for (std::size_t i = 0; i < singles.size(); ++i) singles[i].worth = worth_of(study_.rows[i]);
+    combine(
+        none.size(), singles, std::abs(study_.disturbed.step_saved.all), [&](const Rungs& rungs) {
+          study_.rows.push_back(simulate({model_of(plan_.ladder, rungs)}, {"combination"}).front());
+          return worth_of(study_.rows.back());
+        });
+    double most_saved = -std::numeric_limits<double>::infinity();
+    for (std::size_t i = 0; i < study_.rows.size(); ++i) {
+      const ModelRow& row = study_.rows[i];
+      if (!row.passes || !row.cheaper || row.step_saved.all <= most_saved) continue;
+      study_.cheapest = i;
+      most_saved = row.step_saved.all;
+    }
     return std::move(study_);
   }
 
  private:
-  std::size_t axes() const { return plan_.ladder.axes.size(); }
+  static Worth worth_of(const ModelRow& row) { return {row.passes, row.step_saved.all}; }
 
-  TrackedTask task(const SceneModel& model, double duration, std::optional<double> limit) {
+  TrackedTask task(const SceneModel& model, double duration, std::optional<double> limit = {}) {
     auto scene = scenes_.find(model.scene);
     if (scene == scenes_.end()) scene = scenes_.emplace(model.scene, make_scene(model.scene)).first;
     TrackedTask made{scene->second, model.solver, limit,
@@ -113,34 +110,26 @@ class Studied {
     made.scene.setup.duration = duration;
     return made;
   }
-  TrackedTask disturbed_task(double duration) {
-    TrackedTask made = task(reference_model_, duration, {});
-    disturb_start(made.scene, plan_.disturbance);
-    made.name += " disturbed";
-    return made;
-  }
-  std::vector<Track> tracks(const std::vector<TrackedTask>& tasks) const {
-    auto made = run_tracks(tasks, kAnyResidual, plan_.silence, progress_, interrupted_);
-    if (!made) throw Interrupted{};
-    return std::move(*made);
+  /// The reference and its disturbed self.
+  std::vector<TrackedTask> controls(double duration) {
+    const TrackedTask reference = task(reference_model_, duration);
+    std::vector<TrackedTask> both = {reference, disturbed(reference, plan_.disturbance)};
+    both[1].name += " disturbed";
+    return both;
   }
 
   /// Runs the reference and its disturbed self as long as they may last.
   void find_horizon() {
-    std::vector<Track> both =
-        tracks({task(reference_model_, plan_.duration, {}), disturbed_task(plan_.duration)});
-    reference_ = std::move(both[0]);
-    if (!reference_.broken.empty())
-      throw std::runtime_error(fmt::format("the reference {} with {} is none: {}",
-                                           reference_model_.scene, reference_model_.solver,
-                                           reference_.broken));
-    floor_ = drift(both[1], reference_, plan_.criteria.window);
-    study_.horizon = plan_.duration;
-    for (const Drift& each : floor_)
-      if (over_tolerance(error_of(each), plan_.criteria) > plan_.floor_share) {
-        study_.horizon = std::min(study_.horizon, each.time);
-        break;
-      }
+    const std::vector<DriftLine> both = runs_.simulate(controls(plan_.duration));
+    if (const Track& reference = runs_.reference; !reference.broken.empty())
+      throw std::runtime_error(fmt::format("the reference {} with {} is none: {}", reference.scene,
+                                           reference.solver, reference.broken));
+    const auto parted = [&](const Drift& each) {
+      return over_tolerance(each, plan_.criteria) > plan_.floor_share;
+    };
+    const std::vector<Drift>& floor = both[1].drifts;
+    const auto first = std::find_if(floor.begin(), floor.end(), parted);
+    study_.horizon = first == floor.end() ? plan_.duration : std::min(plan_.duration, first->time);
     if (study_.horizon < std::min(plan_.criteria.window, plan_.duration))
       throw std::runtime_error(fmt::format(
           "{}: after {:g} s the reference disturbed by {:g} is {:g} of a tolerance from itself, "
@@ -149,32 +138,25 @@ class Studied {
           plan_.criteria.window));
   }
 
-  double patience() const {
-    return std::max(kLeastPatience,
-                    plan_.patience * reference_.elapsed_s * study_.horizon / plan_.duration);
-  }
-
-  bool goes_on(const Track& track) const { return track.broken.empty(); }
-
-  ModelRow row_of(const SceneModel& model, const std::string& axis, const Track& track,
+  ModelRow row_of(const SceneModel& model, const std::string& axis, const DriftLine& line,
                   const Rounds& rounds, const Rounds& reference) const {
-    ModelRow row;
-    row.model = model;
-    row.axis = axis;
-    row.error = error_of(largest(drift(track, reference_, plan_.criteria.window), study_.horizon));
-    row.until = track.simulated();
-    row.broken = track.broken;
-    row.stopped = track.stopped;
-    row.frames = track.contact_frames;
-    row.failed = track.failed;
-    row.n = track.n;
+    const Track& track = line.track;
+    ModelRow row{.model = model,
+                 .axis = axis,
+                 .error = largest(line.drifts, study_.horizon),
+                 .until = track.simulated(),
+                 .broken = track.broken,
+                 .stopped = track.stopped,
+                 .frames = track.contact_frames,
+                 .failed = track.failed,
+                 .n = track.n};
     row.passes = track.broken.empty() && exceeded(row.error, plan_.criteria).empty();
-    if (rounds.empty()) return row;
-    row.lcp = rounds.lcp();
-    row.step = rounds.step();
-    row.step_saved = saving_of(rounds, reference, std::mem_fn(&Rounds::step));
-    if (reference.lcp() > 0)
-      row.lcp_saved = saving_of(rounds, reference, std::mem_fn(&Rounds::lcp));
+    if (rounds.step.empty()) return row;
+    row.lcp = rounds.rate(&Rounds::lcp);
+    row.step = rounds.rate(&Rounds::step);
+    row.step_saved = saving_of(rounds, reference, &Rounds::step);
+    if (reference.rate(&Rounds::lcp) > 0)
+      row.lcp_saved = saving_of(rounds, reference, &Rounds::lcp);
     return row;
   }
 
@@ -182,82 +164,64 @@ class Studied {
   /// not reach the end is not simulated again.
   std::vector<ModelRow> simulate(const std::vector<SceneModel>& models,
                                  const std::vector<std::string>& axis) {
-    std::vector<Track> first;
+    const double patience = std::max(kLeastPatience, plan_.patience * runs_.reference.elapsed_s *
+                                                         study_.horizon / plan_.duration);
+    std::vector<DriftLine> first;
     std::vector<Rounds> rounds(models.size() + 2);
     for (int round = 0; round < plan_.rounds; ++round) {
-      std::vector<TrackedTask> tasks = {task(reference_model_, study_.horizon, {}),
-                                        disturbed_task(study_.horizon)};
+      std::vector<TrackedTask> tasks = controls(study_.horizon);
       std::vector<std::size_t> who = {0, 1};
       for (std::size_t i = 0; i < models.size(); ++i) {
-        if (round > 0 && !goes_on(first[i + 2])) continue;
-        tasks.push_back(task(models[i], study_.horizon, patience()));
+        if (round > 0 && !first[i + 2].track.broken.empty()) continue;
+        tasks.push_back(task(models[i], study_.horizon, patience));
         who.push_back(i + 2);
       }
-      std::vector<Track> made = tracks(tasks);
-      for (std::size_t k = 0; k < made.size(); ++k) rounds[who[k]].add(made[k]);
+      std::vector<DriftLine> made = runs_.simulate(tasks);
+      for (std::size_t k = 0; k < made.size(); ++k) rounds[who[k]].add(made[k].track);
       if (round == 0) first = std::move(made);
     }
-    const ModelRow disturbed =
-        row_of(reference_model_, "disturbed", first[1], rounds[1], rounds[0]);
+    const auto row = [&](std::size_t i, const SceneModel& model, const std::string& of) {
+      return row_of(model, of, first[i], rounds[i], rounds[0]);
+    };
+    const ModelRow disturbed = row(1, reference_model_, "disturbed");
     if (study_.rows.empty()) {  // the rounds of single rungs
-      study_.reference = row_of(reference_model_, "reference", first[0], rounds[0], rounds[0]);
+      study_.reference = row(0, reference_model_, "reference");
       study_.disturbed = disturbed;
     }
     std::vector<ModelRow> rows;
     for (std::size_t i = 0; i < models.size(); ++i) {
-      ModelRow& row =
-          rows.emplace_back(row_of(models[i], axis[i], first[i + 2], rounds[i + 2], rounds[0]));
-      row.time_noise = std::abs(disturbed.step_saved.all);
-      row.cheaper = row.step_saved.all > row.time_noise;
+      rows.push_back(row(i + 2, models[i], axis[i]));
+      rows.back().time_noise = std::abs(disturbed.step_saved.all);
+      rows.back().cheaper = rows.back().step_saved.all > rows.back().time_noise;
     }
     return rows;
   }
 
-  static Worth worth_of(const ModelRow& row) { return {row.passes, row.step_saved.all}; }
-
-  void vary_each_axis_alone() {
-    std::vector<SceneModel> models;
-    std::vector<std::string> names;
-    for (std::size_t axis = 0; axis < axes(); ++axis)
-      for (std::size_t rung = 1; rung < plan_.ladder.axes[axis].rungs.size(); ++rung) {
-        Rungs rungs(axes(), 0);
-        rungs[axis] = rung;
-        models.push_back(model_of(plan_.ladder, rungs));
-        names.push_back(plan_.ladder.axes[axis].name);
-        single_.push_back({axis, rung, {}});
-      }
-    study_.rows = simulate(models, names);
-    for (std::size_t i = 0; i < single_.size(); ++i) single_[i].worth = worth_of(study_.rows[i]);
-  }
-
-  void combine_axes() {
-    combine(axes(), single_, std::abs(study_.disturbed.step_saved.all), [&](const Rungs& rungs) {
-      study_.rows.push_back(simulate({model_of(plan_.ladder, rungs)}, {"combination"}).front());
-      return worth_of(study_.rows.back());
-    });
-  }
-
-  void find_cheapest() {
-    for (std::size_t i = 0; i < study_.rows.size(); ++i) {
-      const ModelRow& row = study_.rows[i];
-      if (!row.passes || !row.cheaper) continue;
-      if (!study_.cheapest || row.step_saved.all > study_.rows[*study_.cheapest].step_saved.all)
-        study_.cheapest = i;
-    }
-  }
-
   const StudyPlan& plan_;
-  const std::function<void(const Progress&)>& progress_;
-  const std::atomic<bool>& interrupted_;
+  DriftStudy runs_;
   std::map<std::string, NamedScene> scenes_;  ///< Set up once; processes get them by forking.
   SceneModel reference_model_;
-  Track reference_;
-  std::vector<Drift> floor_;
-  std::vector<SingleRung> single_;  ///< Of the first rows.
   Study study_;
 };
 
-void require_sensible(const StudyPlan& plan) {
+}  // namespace
+
+double over_tolerance(const Drift& error, const Criteria& criteria) {
+  double most = 0;
+  for (const ErrorKind& kind : error_kinds)
+    most = std::max(most, error.*kind.error / criteria.*kind.tolerance);
+  return most;
+}
+
+std::vector<std::string> exceeded(const Drift& error, const Criteria& criteria) {
+  std::vector<std::string> names;
+  for (const ErrorKind& kind : error_kinds)
+    if (!(error.*kind.error <= criteria.*kind.tolerance)) names.emplace_back(kind.name);
+  return names;
+}
+
+Study study(const StudyPlan& plan, const std::function<void(const Progress&)>& progress,
+            const std::atomic<bool>& interrupted) {
   for (const auto& [what, value] : {std::pair("duration", plan.duration),
                                     {"disturbance", plan.disturbance},
                                     {"floor share", plan.floor_share},
@@ -267,33 +231,7 @@ void require_sensible(const StudyPlan& plan) {
     if (!(value > 0) || !std::isfinite(value))
       throw std::invalid_argument(
           fmt::format("sufficient: {} is {:g}, expected more than 0", what, value));
-}
-
-}  // namespace
-
-double over_tolerance(const PhysicalError& error, const Criteria& criteria) {
-  double most = 0;
-  for (const NamedError& each : kErrors)
-    most = std::max(most, error.*each.error / criteria.*each.tolerance);
-  return most;
-}
-
-std::vector<std::string> exceeded(const PhysicalError& error, const Criteria& criteria) {
-  std::vector<std::string> names;
-  for (const NamedError& each : kErrors)
-    if (!(error.*each.error <= criteria.*each.tolerance)) names.emplace_back(each.name);
-  return names;
-}
-
-std::optional<Study> study(const StudyPlan& plan,
-                           const std::function<void(const Progress&)>& progress,
-                           const std::atomic<bool>& interrupted) {
-  require_sensible(plan);
-  try {
-    return Studied(plan, progress, interrupted).run();
-  } catch (const Interrupted&) {
-    return std::nullopt;
-  }
+  return Studied(plan, progress, interrupted).run();
 }
 
 }  // namespace lcp

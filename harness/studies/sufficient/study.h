@@ -7,8 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "harness/measure/runner.h"
-#include "harness/studies/loop/drift.h"
+#include "harness/studies/loop/drift_study.h"
 #include "harness/studies/sufficient/ladder.h"
 
 namespace lcp {
@@ -22,16 +21,31 @@ struct Criteria {
   double slip = 1e-3;         ///< m, of the way that a handle slips on its contacts.
 };
 
-/// Distances from the reference, in units of Criteria.
-struct PhysicalError {
-  double trajectory = 0, force = 0, penetration = 0, slip = 0;
+/// What one of the criteria compares.
+struct ErrorKind {
+  const char* name;
+  const char* unit;
+  double scale;  ///< How many of the unit are one of the program's.
+  double Drift::*error;
+  double Criteria::*tolerance;
+  const char *heading, *meaning;  ///< In a table.
 };
+inline constexpr ErrorKind error_kinds[] = {
+    {"trajectory", "mm", 1e3, &Drift::distance, &Criteria::trajectory, "traj mm",
+     "largest distance of a link's centre of mass from the reference's"},
+    {"force", "percent", 100, &Drift::force, &Criteria::force, "force %",
+     "contact force on a mechanism (links held together by joints), averaged, over the weight: "
+     "largest difference"},
+    {"penetration", "mm", 1e3, &Drift::depth, &Criteria::penetration, "depth mm",
+     "largest difference of the deepest overlap"},
+    {"slip", "mm", 1e3, &Drift::slip, &Criteria::slip, "slip mm",
+     "largest difference of the way that a link slipped on its contacts"}};
 
 /// The largest of the errors over their tolerances: at most 1 where all criteria are met.
-double over_tolerance(const PhysicalError& error, const Criteria& criteria);
+double over_tolerance(const Drift& error, const Criteria& criteria);
 
 /// Names of the criteria that are not met.
-std::vector<std::string> exceeded(const PhysicalError& error, const Criteria& criteria);
+std::vector<std::string> exceeded(const Drift& error, const Criteria& criteria);
 
 /// What is compared, and how.
 struct StudyPlan {
@@ -58,8 +72,8 @@ struct Saving {
 /// How a model did.
 struct ModelRow {
   SceneModel model;
-  std::string axis;  ///< Of the ladder; "reference", "disturbed", "combination".
-  PhysicalError error;
+  std::string axis;          ///< Of the ladder; "reference", "disturbed", "combination".
+  Drift error;               ///< Largest ones up to the horizon.
   double until = 0;          ///< s, simulated.
   std::string broken;        ///< Why not to the end.
   bool stopped = false;      ///< In that it took too long.
@@ -67,7 +81,7 @@ struct ModelRow {
   Index failed = 0;          ///< and those whose frictional LCP failed.
   double n = 0;              ///< Mean size of the LCP.
   double lcp = 0, step = 0;  ///< Processor time of LCPs and of all, s per simulated s.
-  Saving lcp_saved, step_saved;
+  Saving lcp_saved = {}, step_saved = {};
   double time_noise = 0;  ///< Part of a step's time that the disturbed reference saved or cost.
   bool passes = false;    ///< It went to the end, all criteria met.
   bool cheaper = false;   ///< It saves more of a step's time than time_noise.
@@ -87,11 +101,10 @@ struct Study {
 /// (combine.h). An answer that its solver claims to be solved acts, whatever its residual: models are
 /// judged by what the bodies do. Where it claims none the rule of the paper's V-A applies.
 ///
-/// Every simulation runs in a process of its own, models taking turns in each round. Returns nothing
-/// when interrupted. Throws std::runtime_error when the reference does not reach the end, or its
-/// disturbed self is too far away within one window already.
-std::optional<Study> study(const StudyPlan& plan,
-                           const std::function<void(const Progress&)>& progress,
-                           const std::atomic<bool>& interrupted);
+/// Every simulation runs in a process of its own, models taking turns in each round. Throws Interrupted,
+/// and std::runtime_error when the reference does not reach the end, or its disturbed self is too far
+/// away within one window already.
+Study study(const StudyPlan& plan, const std::function<void(const Progress&)>& progress,
+            const std::atomic<bool>& interrupted);
 
 }  // namespace lcp

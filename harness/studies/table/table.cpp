@@ -155,8 +155,8 @@ Table count(const std::vector<Record>& records, const std::optional<Acceptance>&
   if (acceptance) {
     table.tolerance = acceptance->tolerance;
     table.criterion = acceptance->criterion;
-  } else if (!records.empty()) {
-    table.tolerance = records.front().tolerance;
+  } else {
+    table.tolerance = common_tolerance(records);
   }
   std::vector<std::string> corpora;
   std::set<std::string> starts;
@@ -166,10 +166,6 @@ Table count(const std::vector<Record>& records, const std::optional<Acceptance>&
   std::map<std::string, std::vector<Gathering>> by_corpus;
   const std::map<std::string, std::string> names = labels(records);
   for (const Record& record : records) {
-    if (!acceptance && record.tolerance != table.tolerance)
-      throw std::invalid_argument(
-          fmt::format("rows were judged at {} and at {}: a tolerance is needed to compare them",
-                      table.tolerance, record.tolerance));
     table.jobs = std::max(table.jobs, record.jobs);
     if (by_corpus.count(record.corpus) == 0) corpora.push_back(record.corpus);
     std::vector<Gathering>& rows = by_corpus[record.corpus];
@@ -197,6 +193,15 @@ Table count(const std::vector<Record>& records, const std::optional<Acceptance>&
 }
 
 }  // namespace
+
+double common_tolerance(const std::vector<Record>& records) {
+  for (const Record& record : records)
+    if (record.tolerance != records.front().tolerance)
+      throw std::invalid_argument(
+          fmt::format("rows were judged at {} and at {}: a tolerance is needed to compare them",
+                      records.front().tolerance, record.tolerance));
+  return records.empty() ? 0 : records.front().tolerance;
+}
 
 Table make_table(const std::vector<Record>& records, std::optional<double> tolerance) {
   if (!tolerance) return count(records, {});

@@ -12,6 +12,8 @@
 
 namespace lcp {
 
+struct ColumnHead;
+
 /// What one solver did on one corpus, in the shape of a column of the paper's Table I.
 ///
 /// success + failure + unsupported + not_run + trivial = instances, and
@@ -63,6 +65,10 @@ struct Table {
   int jobs = 1;  ///< Most pairs that ran at the same time: it disturbs times.
 };
 
+/// The tolerance at which all rows were judged, 0 without rows. Throws std::invalid_argument where
+/// there are several.
+double common_tolerance(const std::vector<Record>& records);
+
 /// Counts records; `tolerance` re-judges them, without it they are taken as judged. Throws
 /// std::invalid_argument when records were judged at different tolerances and none is given.
 Table make_table(const std::vector<Record>& records, std::optional<double> tolerance = {});
@@ -78,18 +84,9 @@ enum class TableFormat { text, csv, json, latex };
 /// solver, for plain LaTeX.
 std::string render(const Table& table, TableFormat format);
 
-/// A quantity of a table for a reader.
-struct TableColumn {
-  std::string key;      ///< In CSV and JSON.
-  std::string heading;  ///< In a terminal.
-  std::string meaning;
-  std::string number;  ///< Format of a value (fmt); 0 is always printed as 0.
-  bool always;         ///< Shown even where it is 0 in every row.
-  bool of_starts;      ///< Shown only where rows start differently.
-};
-
-/// The quantities of a solver in their order, as `text` explains them below its blocks.
-std::vector<TableColumn> table_columns();
+/// The quantities of a solver in their order, as `text` explains them below its blocks; those that say
+/// something only where rows start differently are left out where they do not.
+std::vector<ColumnHead> table_columns(bool several_starts);
 
 /// What a reader calls each solver among `records`, by full spelling: the spelling, with the options
 /// in which several settings of one registry row differ written out where they have their default,

@@ -1,22 +1,15 @@
 #include "problems/families/contact/bead_chain.h"
 
-#include <Eigen/Geometry>
 #include <cmath>
+
+#include "problems/decompositions.h"
+#include "problems/rigid/spatial.h"
 
 namespace lcp {
 
 namespace {
 
-using Eigen::Matrix3d;
-using Eigen::Vector3d;
-
 constexpr double kGravity = 9.81;  // m/s^2
-
-Matrix3d cross_matrix(const Vector3d& a) {
-  Matrix3d cross;
-  cross << 0, -a.z(), a.y(), a.z(), 0, -a.x(), -a.y(), a.x(), 0;
-  return cross;
-}
 
 /// Rotational inertia of link i about its centre, to a power: 1, 1/2, -1/2.
 Matrix3d inertia_power(const BeadChain& chain, Index i, double power) {
@@ -41,7 +34,7 @@ MatrixXd times_inertia(const BeadChain& chain, double power, const MatrixXd& row
 /// Row block that maps a link's twist to the velocity of its point at `arm` from its centre.
 Eigen::Matrix<double, 3, 6> point_velocity(const Vector3d& arm) {
   Eigen::Matrix<double, 3, 6> jacobian;
-  jacobian << Matrix3d::Identity(), -cross_matrix(arm);
+  jacobian << Matrix3d::Identity(), -skew(arm);
   return jacobian;
 }
 
@@ -56,8 +49,7 @@ class JointProjection {
       G.block<3, 6>(3 * k, 6 * k) = point_velocity(half * chain.axes.col(k));
       G.block<3, 6>(3 * k, 6 * k + 6) = -point_velocity(-half * chain.axes.col(k + 1));
     }
-    const Eigen::HouseholderQR<MatrixXd> qr(times_inertia(chain, -0.5, G.transpose()));
-    forbidden_ = qr.householderQ() * MatrixXd::Identity(6 * chain.links(), 3 * joints);
+    forbidden_ = orthonormal_basis(times_inertia(chain, -0.5, G.transpose()));
   }
 
   MatrixXd operator()(const MatrixXd& vectors) const {

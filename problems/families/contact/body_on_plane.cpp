@@ -19,19 +19,14 @@
 // Seed      Of that generator (mt19937_64).
 // Source    The redundant contacts of K. Yamane, Y. Nakamura (2008), IV-C and V-A, on one body.
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 #include <numbers>
-#include <stdexcept>
 
-#include "problems/contact/frame_series.h"
 #include "problems/contact/reduction.h"
-#include "problems/drawing/random.h"
 #include "problems/families/contact/frame_knobs.h"
 #include "problems/families/contact/rigid_bodies.h"
-#include "problems/registry.h"
+#include "solvers/errors.h"
 
 namespace lcp {
 namespace {
@@ -65,14 +60,13 @@ struct PlaneKnobs {
 OptionTable knob_table(PlaneKnobs& knobs) {
   OptionTable own = {
       count("contacts", knobs.contacts, 3, 256, "points before the reduction"),
-      choice("layout", knobs.layout, {"coplanar", "collinear", "duplicated", "noisy"},
-             "how the points lie"),
-      choice("patch", knobs.patch, {"disc", "rectangle"},
+      choice("layout", knobs.layout, "how the points lie"),
+      choice("patch", knobs.patch,
              "what the points fill: the box's face, or the largest disc in it"),
       count("copies", knobs.copies, 2, 256, "contacts at each place; layout=duplicated"),
       real("noise", knobs.noise, 0, 0.1, "m, of each coordinate; layout=noisy"),
       real("normal_noise", knobs.normal_noise, 0, 0.5, "rad, of each normal; layout=noisy"),
-      choice("motion", knobs.motion, {"resting", "sliding"}, "before the step"),
+      choice("motion", knobs.motion, "before the step"),
       real("speed", knobs.speed, 0, 100, "m/s; motion=sliding"),
       real("disturbance", knobs.disturbance, 0, 100,
            "largest random velocity of the centre, and of the ends by turning, m/s"),
@@ -81,9 +75,9 @@ OptionTable knob_table(PlaneKnobs& knobs) {
       real("width", knobs.width, 1e-3, 100, "of the box along y, m"),
       real("height", knobs.height, 1e-3, 100, "of the box, m"),
       real("inertia", knobs.inertia, 1e-3, 1e3, "over that of the homogeneous box"),
-      choice("reduction", knobs.reduction.method, {"none", "paper", "deepest-4"},
+      choice("reduction", knobs.reduction.method,
              "which points become contacts: all, the paper's choice, the four deepest"),
-      choice("separating", knobs.reduction.separating, {"keep", "as-others", "drop"},
+      choice("separating", knobs.reduction.separating,
              "what a reduction does with points whose bodies separate"),
   };
   return with_frame_knobs(std::move(own), knobs.frame, "along x", driver_of_lone_frames);
@@ -123,10 +117,7 @@ std::vector<Vector3d> draw_places(const PlaneKnobs& knobs, Random& random) {
 
 /// The box over the foot of its centre of mass at the origin, moving.
 RigidBody draw_body(const PlaneKnobs& knobs, Random& random) {
-  const auto disturbance = [&]() -> Vector3d {
-    const double x = random.between(-1, 1), y = random.between(-1, 1);
-    return knobs.disturbance * Vector3d(x, y, random.between(-1, 1));
-  };
+  const auto disturbance = [&] { return random_vector(knobs.disturbance, random); };
   RigidBody body;
   body.mass = knobs.mass;
   body.inertia = knobs.inertia * box_inertia(knobs.mass, {knobs.length, knobs.width, knobs.height});
@@ -160,13 +151,9 @@ std::vector<ContactPoint> draw_points(const PlaneKnobs& knobs, const RigidBody& 
 
 std::vector<Instance> generate_plane(const PlaneKnobs& knobs, const Draw& draw) {
   if (knobs.layout == PlaneKnobs::Layout::duplicated && knobs.contacts % knobs.copies != 0)
-    throw std::invalid_argument(
-        fmt::format("body-on-plane: contacts={}: expected a multiple of copies={}", knobs.contacts,
-                    knobs.copies));
-  const NamedSolver driver = make_solver(knobs.frame.driver);
-  Random random(draw.seed);
-  std::vector<Instance> instances;
-  for (Index number = 0; number < draw.count; ++number) {
+    throw InvalidArgument("body-on-plane: contacts={}: expected a multiple of copies={}",
+                          knobs.contacts, knobs.copies);
+  return lone_frames(knobs.frame, draw, [&](Random& random, auto& provenance) {
     const RigidBody body = draw_body(knobs, random);
     const std::vector<ContactPoint> points = draw_points(knobs, body, random);
     std::vector<PlacedContact> contacts;
@@ -174,13 +161,10 @@ std::vector<Instance> generate_plane(const PlaneKnobs& knobs, const Draw& draw) 
       contacts.push_back(
           {make_contact(points[i].normal, Vector3d::UnitX(), knobs.frame.mu, points[i].id),
            points[i].position, points[i].depth});
-    instances.push_back(lone_frame(draw.corpus, number,
-                                   contact_problem({body}, contacts, knobs.frame.dt),
-                                   knobs.frame.friction_model(), driver,
-                                   {{"points_found", std::to_string(points.size())},
-                                    {"contact_positions", spell_positions(contacts)}}));
-  }
-  return instances;
+    provenance["points_found"] = std::to_string(points.size());
+    provenance["contact_positions"] = spell_positions(contacts);
+    return contact_problem({body}, contacts, knobs.frame.dt);
+  });
 }
 
 const FamilyRegistration body_on_plane{

@@ -15,17 +15,12 @@
 //           of its depth a step.
 // Source    The kind of problem of K. Yamane, Y. Nakamura (2008), V-B (hoisting chain), Table III.
 
-#include <fmt/format.h>
-
 #include <cmath>
 #include <numbers>
-#include <stdexcept>
 
-#include "problems/contact/frame_series.h"
-#include "problems/drawing/random.h"
 #include "problems/families/contact/bead_chain.h"
 #include "problems/families/contact/frame_knobs.h"
-#include "problems/registry.h"
+#include "solvers/errors.h"
 
 namespace lcp {
 namespace {
@@ -129,14 +124,14 @@ VectorXd shake(const BeadChain& chain, const ChainKnobs& knobs, Random& random) 
 
 std::vector<Instance> generate_chain(const ChainKnobs& knobs, const Draw& draw) {
   if (knobs.wrapped > knobs.links)
-    throw std::invalid_argument(fmt::format("draped-chain: wrapped={}: expected at most links={}",
-                                            knobs.wrapped, knobs.links));
+    throw InvalidArgument("draped-chain: wrapped={}: expected at most links={}", knobs.wrapped,
+                          knobs.links);
   const FixedRod rod = make_rod(knobs);
   if (!(rod.radius > 0))
-    throw std::invalid_argument(
-        fmt::format("draped-chain: wrapped={} links leave no room for a rod between them; expected "
-                    "more, longer ones, or smaller beads",
-                    knobs.wrapped));
+    throw InvalidArgument(
+        "draped-chain: wrapped={} links leave no room for a rod between them; expected "
+        "more, longer ones, or smaller beads",
+        knobs.wrapped);
   FrameSeries series(draw.corpus, knobs.frame.driver, knobs.frame.friction_model());
   Random random(draw.seed);
   BeadChain chain = drape(knobs);

@@ -19,18 +19,13 @@
 // Source    The two-point wedging and jamming of D. E. Whitney (1982), "Quasi-static assembly of
 //           compliantly supported rigid parts", J. Dynamic Systems, Measurement, and Control 104.
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 #include <numbers>
-#include <stdexcept>
 
-#include "problems/contact/frame_series.h"
-#include "problems/drawing/random.h"
 #include "problems/families/contact/frame_knobs.h"
 #include "problems/families/contact/rigid_bodies.h"
-#include "problems/registry.h"
+#include "solvers/errors.h"
 
 namespace lcp {
 namespace {
@@ -78,9 +73,8 @@ double largest_tilt(const PegKnobs& knobs) {
   const double half = knobs.length / 2, hole = knobs.radius + knobs.clearance;
   const double diagonal = std::hypot(half, knobs.radius);
   if (!(hole < diagonal))
-    throw std::invalid_argument(
-        fmt::format("peg-in-hole: clearance={}: the peg can turn over; expected less than {}",
-                    knobs.clearance, diagonal - knobs.radius));
+    throw InvalidArgument("peg-in-hole: clearance={}: the peg can turn over; expected less than {}",
+                          knobs.clearance, diagonal - knobs.radius);
   return std::max(0.0, std::asin(hole / diagonal) - std::asin(knobs.radius / diagonal));
 }
 
@@ -98,10 +92,7 @@ RigidBody leaning_peg(const PegKnobs& knobs) {
 }
 
 RigidBody draw_peg(const PegKnobs& knobs, Random& random) {
-  const auto disturbance = [&]() -> Vector3d {
-    const double x = random.between(-1, 1), y = random.between(-1, 1);
-    return knobs.disturbance * Vector3d(x, y, random.between(-1, 1));
-  };
+  const auto disturbance = [&] { return random_vector(knobs.disturbance, random); };
   RigidBody peg = leaning_peg(knobs);
   const Eigen::Matrix3d turn =
       Eigen::AngleAxisd(2 * pi * random.between(0, 1), Vector3d::UnitZ()).toRotationMatrix();
@@ -140,17 +131,12 @@ std::vector<PlacedContact> touch(const PegKnobs& knobs, const RigidBody& peg) {
 }
 
 std::vector<Instance> generate_peg(const PegKnobs& knobs, const Draw& draw) {
-  const NamedSolver driver = make_solver(knobs.frame.driver);
-  Random random(draw.seed);
-  std::vector<Instance> instances;
-  for (Index number = 0; number < draw.count; ++number) {
+  return lone_frames(knobs.frame, draw, [&](Random& random, auto& provenance) {
     const RigidBody peg = draw_peg(knobs, random);
     const std::vector<PlacedContact> contacts = touch(knobs, peg);
-    instances.push_back(lone_frame(
-        draw.corpus, number, contact_problem({peg}, contacts, knobs.frame.dt),
-        knobs.frame.friction_model(), driver, {{"contact_positions", spell_positions(contacts)}}));
-  }
-  return instances;
+    provenance["contact_positions"] = spell_positions(contacts);
+    return contact_problem({peg}, contacts, knobs.frame.dt);
+  });
 }
 
 const FamilyRegistration peg_in_hole{

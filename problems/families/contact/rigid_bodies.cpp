@@ -4,8 +4,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <stdexcept>
 
+#include "solvers/errors.h"
 #include "solvers/options.h"
 
 namespace lcp {
@@ -33,10 +33,10 @@ template <class Use>
 void for_each_body(const std::vector<RigidBody>& bodies, const ContactId& id, Use use) {
   for (const auto& [b, sign] : {std::pair(id.body1, 1.0), {id.body2, -1.0}}) {
     if (b < 0 || b > static_cast<Index>(bodies.size()))
-      throw std::invalid_argument(
-          fmt::format("rigid bodies: a contact names body {}, expected 0 "
-                      "(the world) ... {}",
-                      b, bodies.size()));
+      throw InvalidArgument(
+          "rigid bodies: a contact names body {}, expected 0 "
+          "(the world) ... {}",
+          b, bodies.size());
     if (b > 0) use(b - 1, sign);
   }
 }

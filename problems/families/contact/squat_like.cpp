@@ -19,16 +19,12 @@
 // Source    The experiment of K. Yamane, Y. Nakamura (2008), V-A and Table I, reduced to the body
 //           that its contacts see; size and weight of a 7 kg, 0.55 m robot.
 
-#include <fmt/format.h>
-
 #include <cmath>
 #include <numbers>
-#include <stdexcept>
 
-#include "problems/contact/frame_series.h"
 #include "problems/families/contact/frame_knobs.h"
 #include "problems/families/contact/rigid_bodies.h"
-#include "problems/registry.h"
+#include "solvers/errors.h"
 
 namespace lcp {
 namespace {
@@ -172,8 +168,8 @@ class Squat {
 
 std::vector<Instance> generate_squat(const SquatKnobs& knobs, const Draw& draw) {
   if (knobs.contacts % 2 != 0)
-    throw std::invalid_argument(fmt::format(
-        "squat-like: contacts={}: expected an even number, half on each foot", knobs.contacts));
+    throw InvalidArgument("squat-like: contacts={}: expected an even number, half on each foot",
+                          knobs.contacts);
   FrameSeries series(draw.corpus, knobs.frame.driver, knobs.frame.friction_model());
   Squat squat(knobs, draw.seed);
   for (Index frame = 0; frame < draw.count; ++frame) {

@@ -17,17 +17,12 @@
 //           Yamane and Nakamura (2008) cite as [8]. The heavy box on light ones is what makes
 //           Gauss-Seidel slow.
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
-#include <stdexcept>
 
-#include "problems/contact/frame_series.h"
-#include "problems/drawing/random.h"
 #include "problems/families/contact/frame_knobs.h"
 #include "problems/families/contact/rigid_bodies.h"
-#include "problems/registry.h"
+#include "solvers/errors.h"
 
 namespace lcp {
 namespace {
@@ -65,20 +60,16 @@ OptionTable knob_table(StackKnobs& knobs) {
 }
 
 std::vector<RigidBody> draw_bodies(const StackKnobs& knobs, Random& random) {
-  const auto draw = [&random](double largest) -> Vector3d {
-    const double x = random.between(-1, 1), y = random.between(-1, 1);
-    return largest * Vector3d(x, y, random.between(-1, 1));
-  };
   std::vector<RigidBody> bodies(knobs.bodies);
   double mass = knobs.mass;
   for (Index b = 0; b < knobs.bodies; ++b) {
     RigidBody& body = bodies[b];
     body.mass = mass;
     body.inertia = box_inertia(mass, {knobs.length, knobs.width, knobs.height});
-    body.centre = draw(knobs.offset);
+    body.centre = random_vector(knobs.offset, random);
     body.centre.z() = (static_cast<double>(b) + 0.5) * knobs.height;
-    body.velocity = draw(knobs.disturbance);
-    body.angular_velocity = draw(knobs.disturbance) / (knobs.length / 2);
+    body.velocity = random_vector(knobs.disturbance, random);
+    body.angular_velocity = random_vector(knobs.disturbance, random) / (knobs.length / 2);
     mass *= knobs.mass_ratio;
   }
   return bodies;
@@ -107,21 +98,16 @@ std::vector<PlacedContact> touch(const StackKnobs& knobs, const std::vector<Rigi
 std::vector<Instance> generate_stack(const StackKnobs& knobs, const Draw& draw) {
   const double narrow = std::min(knobs.length, knobs.width);
   if (!(2 * knobs.offset < narrow))
-    throw std::invalid_argument(fmt::format(
+    throw InvalidArgument(
         "stack: offset={}: neighbours may miss one another; expected less than half the "
         "shorter edge, {}",
-        knobs.offset, narrow / 2));
-  const NamedSolver driver = make_solver(knobs.frame.driver);
-  Random random(draw.seed);
-  std::vector<Instance> instances;
-  for (Index number = 0; number < draw.count; ++number) {
+        knobs.offset, narrow / 2);
+  return lone_frames(knobs.frame, draw, [&](Random& random, auto& provenance) {
     const std::vector<RigidBody> bodies = draw_bodies(knobs, random);
     const std::vector<PlacedContact> contacts = touch(knobs, bodies);
-    instances.push_back(lone_frame(
-        draw.corpus, number, contact_problem(bodies, contacts, knobs.frame.dt),
-        knobs.frame.friction_model(), driver, {{"contact_positions", spell_positions(contacts)}}));
-  }
-  return instances;
+    provenance["contact_positions"] = spell_positions(contacts);
+    return contact_problem(bodies, contacts, knobs.frame.dt);
+  });
 }
 
 const FamilyRegistration stack{

@@ -11,6 +11,7 @@
 #include "problems/io/hdf5/values.h"
 #include "problems/io/limits.h"
 #include "problems/io/replace_file.h"
+#include "solvers/errors.h"
 
 namespace lcp {
 
@@ -32,8 +33,8 @@ void require_storable_name(const std::string& file, const std::string& name) {
     begin = end + 1;
   }
   if (!storable)
-    throw UnwritableOutput(fmt::format(
-        "{}: cannot hold an instance called '{}', expected a name like family/0042", file, name));
+    throw UnwritableOutput(
+        "{}: cannot hold an instance called '{}', expected a name like family/0042", file, name);
 }
 
 void require_separate_names(const std::string& file, const std::vector<Instance>& instances) {
@@ -47,9 +48,9 @@ void require_separate_names(const std::string& file, const std::vector<Instance>
   for (std::size_t i = 1; i < names.size(); ++i)
     if (names[i].starts_with(names[i - 1]))
       throw UnwritableOutput(
-          fmt::format("{}: cannot hold '{}' inside '{}', expected instances of "
-                      "different names side by side",
-                      file, names[i], names[i - 1]));
+          "{}: cannot hold '{}' inside '{}', expected instances of "
+          "different names side by side",
+          file, names[i], names[i - 1]);
 }
 
 void write_features(H5::Group& group, const Problem& problem) {
@@ -141,8 +142,8 @@ FrictionBlocks read_friction(const GroupReader& group, Index n) {
   FrictionBlocks blocks;
   blocks.directions_per_contact = layout.integer_attribute("directions_per_contact");
   if (blocks.directions_per_contact < 0 || blocks.directions_per_contact > largest_rows)
-    layout.fail("directions_per_contact", fmt::format("is {}, expected 0 ... {}",
-                                                      blocks.directions_per_contact, largest_rows));
+    layout.fail("directions_per_contact", "is {}, expected 0 ... {}", blocks.directions_per_contact,
+                largest_rows);
   blocks.directions = layout.matrix("directions", 2, count * blocks.directions_per_contact);
   blocks.normal_row = layout.integers("normal_row", count);
   blocks.friction_row = layout.integers("friction_row", count);
@@ -177,7 +178,7 @@ VectorXd read_known_solution(const GroupReader& group, Index n) {
 Index read_active_contacts(const GroupReader& group, Index contacts) {
   const Index active = group.integer_attribute("active_contacts");
   if (active < 0 || active > contacts)
-    group.fail("active_contacts", fmt::format("is {}, expected 0 ... {}", active, contacts));
+    group.fail("active_contacts", "is {}, expected 0 ... {}", active, contacts);
   return active;
 }
 
@@ -190,8 +191,7 @@ std::map<std::string, std::string> read_provenance(const GroupReader& group) {
 void require_hash(const GroupReader& group, const char* name, const std::string& found) {
   if (!group.has_attribute(name)) return;
   const std::string stored = group.text_attribute(name);
-  if (stored != found)
-    group.fail(name, fmt::format("is {}, but the content has {}", stored, found));
+  if (stored != found) group.fail(name, "is {}, but the content has {}", stored, found);
 }
 
 void read_previous(const GroupReader& group, Instance& instance) {
@@ -258,27 +258,27 @@ Instance read_instance(const GroupReader& group, const std::string& name,
   return contacts_alone ? read_contacts(group, name, options) : read_stored_lcp(group, name);
 }
 
-/// A file that tells its version has to be of ours; one that another program wrote tells none.
+/// A file that holds a version has to hold ours; a file that another program wrote holds no version.
 void require_our_version(const GroupReader& root) {
   if (!root.has_attribute("corpus_version")) return;
   const Index version = root.integer_attribute("corpus_version");
   if (version != corpus_version)
-    root.fail("corpus_version", fmt::format("is {}, expected {}", version, corpus_version));
+    root.fail("corpus_version", "is {}, expected {}", version, corpus_version);
 }
 
 }  // namespace
 
 void write_corpus(const std::string& path, const std::vector<Instance>& instances) {
   if (instances.empty())
-    throw std::invalid_argument(fmt::format("{}: no instance to write, expected at least 1", path));
+    throw InvalidArgument("{}: no instance to write, expected at least 1", path);
   require_separate_names(path, instances);
   H5::Exception::dontPrint();
   std::string image;
   try {
     image = corpus_image(path, instances);
   } catch (const H5::Exception& error) {
-    throw UnwritableOutput(fmt::format("{}: the HDF5 library refuses the instances: {} ({})", path,
-                                       error.getDetailMsg(), error.getFuncName()));
+    throw UnwritableOutput("{}: the HDF5 library refuses the instances: {} ({})", path,
+                           error.getDetailMsg(), error.getFuncName());
   }
   replace_file(path, image);
 }

@@ -49,7 +49,7 @@ Index integer(const hdf5::GroupReader& group, const std::string& name, Index lea
 void require_place(const hdf5::GroupReader& group, const char* name, Index k, Index found,
                    Index rows) {
   if (found >= 0 && found < rows) return;
-  group.fail(name, fmt::format("entry {} is {}, expected 0 ... {}", k, found, rows - 1));
+  group.fail(name, "entry {} is {}, expected 0 ... {}", k, found, rows - 1);
 }
 
 /// Adds to an entry; the first number keeps its sign even if it is -0.
@@ -59,8 +59,7 @@ void add(double& entry, double number) { entry = entry == 0 ? number : entry + n
 MatrixXd read_triplets(const hdf5::GroupReader& group, Index rows, Index stored, Index nzmax) {
   const std::vector<Index> row = group.integers("i", stored), column = group.integers("p", stored);
   const VectorXd value = group.vector_up_to("x", std::max(stored, nzmax));
-  if (value.size() < stored)
-    group.fail("x", fmt::format("is {}, expected at least {}", value.size(), stored));
+  if (value.size() < stored) group.fail("x", "is {}, expected at least {}", value.size(), stored);
   MatrixXd matrix = MatrixXd::Zero(rows, rows);
   for (Index k = 0; k < stored; ++k) {
     require_place(group, "i", k, row[k], rows);
@@ -76,13 +75,13 @@ MatrixXd read_compressed(const hdf5::GroupReader& group, Index rows, Index nzmax
   const std::vector<Index> inner = group.integers("i", nzmax);
   const VectorXd value = group.vector("x", nzmax);
   if (begin.front() != 0 || begin.back() > nzmax)
-    group.fail("p", fmt::format("goes from {} to {}, expected from 0 to at most {}", begin.front(),
-                                begin.back(), nzmax));
+    group.fail("p", "goes from {} to {}, expected from 0 to at most {}", begin.front(),
+               begin.back(), nzmax);
   MatrixXd matrix = MatrixXd::Zero(rows, rows);
   for (Index j = 0; j < rows; ++j) {
     if (begin[j] > begin[j + 1] || begin[j + 1] > nzmax)
-      group.fail("p", fmt::format("entry {} is {} behind {}, expected ascending numbers up to {}",
-                                  j + 1, begin[j + 1], begin[j], nzmax));
+      group.fail("p", "entry {} is {} behind {}, expected ascending numbers up to {}", j + 1,
+                 begin[j + 1], begin[j], nzmax);
     for (Index k = begin[j]; k < begin[j + 1]; ++k) {
       require_place(group, "i", k, inner[k], rows);
       add(matrix(inner[k], j), value(k));
@@ -130,8 +129,7 @@ FclibLocal read_fclib_local(const hdf5::GroupReader& parent, Index most_contacts
   local.mu = vectors.vector("mu");
   const Index contacts = local.mu.size();
   if (contacts > most_contacts)
-    vectors.fail("mu",
-                 fmt::format("has {} contacts, expected at most {}", contacts, most_contacts));
+    vectors.fail("mu", "has {} contacts, expected at most {}", contacts, most_contacts);
   local.q = vectors.vector("q", local.dimension * contacts);
   local.W = read_matrix(group.group("W"), local.dimension * contacts, problem.storage);
   return problem;

@@ -62,8 +62,8 @@ GroupReader::GroupReader(const std::string& file) : file_(file) {
   try {
     group_ = H5::H5File(file, H5F_ACC_RDONLY).openGroup("/");
   } catch (const H5::Exception&) {
-    throw UnreadableInput(
-        fmt::format("{}: the HDF5 library cannot open it, expected a complete HDF5 file", file));
+    throw UnreadableInput("{}: the HDF5 library cannot open it, expected a complete HDF5 file",
+                          file);
   }
 }
 
@@ -72,27 +72,15 @@ GroupReader::GroupReader(std::string file, std::string path, H5::Group group)
 
 void GroupReader::fail(const std::string& name, const std::string& what) const {
   const std::string place = name.empty() && !path_.empty() ? path_ : path_ + "/" + name;
-  throw UnreadableInput(fmt::format("{}: {}: {}", file_, place, what));
-}
-
-void GroupReader::guard(const std::string& name, const std::function<void()>& read) const {
-  try {
-    read();
-  } catch (const H5::Exception& error) {
-    fail(name, fmt::format("the HDF5 library cannot read it ({})", error.getDetailMsg()));
-  }
+  throw UnreadableInput("{}: {}: {}", file_, place, what);
 }
 
 bool GroupReader::has(const std::string& name) const {
-  bool found = false;
-  guard(name, [&] { found = group_.nameExists(name); });
-  return found;
+  return guard(name, [&] { return group_.nameExists(name); });
 }
 
 bool GroupReader::holds(const std::string& name, H5O_type_t type) const {
-  bool found = false;
-  guard(name, [&] { found = group_.nameExists(name) && group_.childObjType(name) == type; });
-  return found;
+  return guard(name, [&] { return group_.nameExists(name) && group_.childObjType(name) == type; });
 }
 
 bool GroupReader::has_group(const std::string& name) const { return holds(name, H5O_TYPE_GROUP); }
@@ -102,51 +90,51 @@ bool GroupReader::has_dataset(const std::string& name) const {
 }
 
 GroupReader GroupReader::group(const std::string& name) const {
-  H5::Group inner;
-  guard(name, [&] {
+  return guard(name, [&] {
     if (!group_.nameExists(name)) fail(name, "is missing, expected a group");
-    inner = group_.openGroup(name);
+    return GroupReader(file_, path_ + "/" + name, group_.openGroup(name));
   });
-  return GroupReader(file_, path_ + "/" + name, inner);
 }
 
 std::vector<std::string> GroupReader::groups_below() const {
-  std::vector<std::string> found;
   const auto collect = [](H5::H5Object&, const H5std_string name, const H5O_info_t* info,
                           void* names) {
     if (info->type == H5O_TYPE_GROUP && name != ".")
       static_cast<std::vector<std::string>*>(names)->push_back(name);
     return 0;
   };
-  guard("", [&] {
+  return guard("", [&] {
+    std::vector<std::string> found;
     H5::Group(group_).visit(H5_INDEX_NAME, H5_ITER_INC, collect, &found, H5O_INFO_BASIC);
+    return found;
   });
-  return found;
+}
+
+H5::DataSet GroupReader::existing(const std::string& name, const char* expected) const {
+  if (!group_.nameExists(name)) fail(name, "is missing, expected {}", expected);
+  return group_.openDataSet(name);
 }
 
 H5::DataSet GroupReader::open(const std::string& name, bool real,
                               const std::vector<Index>& expected) const {
-  if (!group_.nameExists(name)) fail(name, "is missing, expected a dataset");
-  H5::DataSet data = group_.openDataSet(name);
+  H5::DataSet data = existing(name, "a dataset");
   const H5T_class_t kind = data.getTypeClass();
   if (kind != H5T_INTEGER && !(real && kind == H5T_FLOAT))
-    fail(name,
-         fmt::format("is {}, expected {}", kind_name(kind), real ? "real numbers" : "integers"));
+    fail(name, "is {}, expected {}", kind_name(kind), real ? "real numbers" : "integers");
   const std::vector<hsize_t> extents = extents_of(data.getSpace());
   const std::vector<hsize_t> wanted(expected.begin(), expected.end());
   if (extents != wanted)
-    fail(name, fmt::format("is {}, expected {}", extents_text(extents), extents_text(wanted)));
+    fail(name, "is {}, expected {}", extents_text(extents), extents_text(wanted));
   return data;
 }
 
 VectorXd GroupReader::vector(const std::string& name, Index size) const {
-  VectorXd numbers;
-  guard(name, [&] {
+  return guard(name, [&] {
     const H5::DataSet data = open(name, true, {size});
-    numbers.resize(size);
+    VectorXd numbers(size);
     data.read(numbers.data(), H5::PredType::NATIVE_DOUBLE);
+    return numbers;
   });
-  return numbers;
 }
 
 VectorXd GroupReader::vector(const std::string& name) const {
@@ -154,14 +142,10 @@ VectorXd GroupReader::vector(const std::string& name) const {
 }
 
 Index GroupReader::size_of(const std::string& name, Index most) const {
-  std::vector<hsize_t> extents;
-  guard(name, [&] {
-    if (!group_.nameExists(name)) fail(name, "is missing, expected a vector");
-    extents = extents_of(group_.openDataSet(name).getSpace());
-  });
+  const auto extents =
+      guard(name, [&] { return extents_of(existing(name, "a vector").getSpace()); });
   if (extents.size() != 1 || extents[0] > static_cast<hsize_t>(most))
-    fail(name, fmt::format("is {}, expected a vector of at most {} numbers", extents_text(extents),
-                           most));
+    fail(name, "is {}, expected a vector of at most {} numbers", extents_text(extents), most);
   return static_cast<Index>(extents[0]);
 }
 
@@ -174,103 +158,98 @@ std::vector<Index> GroupReader::integers_up_to(const std::string& name, Index mo
 }
 
 MatrixXd GroupReader::matrix(const std::string& name, Index rows, Index columns) const {
-  RowMajor numbers;
-  guard(name, [&] {
+  return guard(name, [&] {
     const H5::DataSet data = open(name, true, {rows, columns});
-    numbers.resize(rows, columns);
+    RowMajor numbers(rows, columns);
     data.read(numbers.data(), H5::PredType::NATIVE_DOUBLE);
+    return MatrixXd(numbers);
   });
-  return numbers;
 }
 
 std::vector<Index> GroupReader::integers(const std::string& name, Index size) const {
-  std::vector<std::int64_t> numbers;
-  guard(name, [&] {
+  return guard(name, [&] {
     const H5::DataSet data = open(name, false, {size});
-    numbers.resize(static_cast<std::size_t>(size));
+    std::vector<std::int64_t> numbers(static_cast<std::size_t>(size));
     data.read(numbers.data(), H5::PredType::NATIVE_INT64);
+    return std::vector<Index>(numbers.begin(), numbers.end());
   });
-  return {numbers.begin(), numbers.end()};
 }
 
 bool GroupReader::has_attribute(const std::string& name) const {
-  bool found = false;
-  guard(name, [&] { found = group_.attrExists(name); });
+  return guard(name, [&] { return group_.attrExists(name); });
+}
+
+H5::Attribute GroupReader::attribute(const std::string& name, H5T_class_t kind,
+                                     const char* expected) const {
+  if (!group_.attrExists(name)) fail(name, "is missing, expected {} attribute", expected);
+  H5::Attribute found = group_.openAttribute(name);
+  if (found.getTypeClass() != kind || found.getSpace().getSimpleExtentNpoints() != 1)
+    fail(name, "is another attribute, expected one {}", kind == H5T_STRING ? "text" : "integer");
   return found;
 }
 
 Index GroupReader::integer_attribute(const std::string& name) const {
-  std::int64_t value = 0;
-  guard(name, [&] {
-    if (!group_.attrExists(name)) fail(name, "is missing, expected an integer attribute");
-    const H5::Attribute attribute = group_.openAttribute(name);
-    if (attribute.getTypeClass() != H5T_INTEGER ||
-        attribute.getSpace().getSimpleExtentNpoints() != 1)
-      fail(name, "is another attribute, expected one integer");
-    attribute.read(H5::PredType::NATIVE_INT64, &value);
+  return guard(name, [&] {
+    std::int64_t value = 0;
+    attribute(name, H5T_INTEGER, "an integer").read(H5::PredType::NATIVE_INT64, &value);
+    return static_cast<Index>(value);
   });
-  return value;
 }
 
 std::string GroupReader::text_attribute(const std::string& name) const {
-  std::string text;
-  guard(name, [&] {
-    if (!group_.attrExists(name)) fail(name, "is missing, expected a text attribute");
-    const H5::Attribute attribute = group_.openAttribute(name);
-    if (attribute.getTypeClass() != H5T_STRING ||
-        attribute.getSpace().getSimpleExtentNpoints() != 1)
-      fail(name, "is another attribute, expected one text");
-    const H5::StrType type = attribute.getStrType();
-    if (!type.isVariableStr() && type.getSize() > longest_text)
-      fail(name,
-           fmt::format("is a text of {} bytes, expected at most {}", type.getSize(), longest_text));
-    attribute.read(type, text);
+  return guard(name, [&] {
+    const H5::Attribute found = attribute(name, H5T_STRING, "a text");
+    const H5::StrType type = found.getStrType();
+    const auto require_short = [&](std::size_t bytes) {
+      if (bytes > longest_text)
+        fail(name, "is a text of {} bytes, expected at most {}", bytes, longest_text);
+    };
+    if (!type.isVariableStr()) require_short(type.getSize());
+    std::string text;
+    found.read(type, text);
     text = text.c_str();  // without the zeros that pad a fixed length
+    require_short(text.size());
+    return text;
   });
-  if (text.size() > longest_text)
-    fail(name,
-         fmt::format("is a text of {} bytes, expected at most {}", text.size(), longest_text));
-  return text;
 }
 
 std::string GroupReader::printed_attribute(const std::string& name) const {
-  H5T_class_t kind = H5T_NO_CLASS;
-  double number = 0;
-  guard(name, [&] {
-    const H5::Attribute attribute = group_.openAttribute(name);
-    if (attribute.getSpace().getSimpleExtentNpoints() == 1) kind = attribute.getTypeClass();
-    if (kind == H5T_FLOAT) attribute.read(H5::PredType::NATIVE_DOUBLE, &number);
+  return guard(name, [&]() -> std::string {
+    const H5::Attribute found = group_.openAttribute(name);
+    const bool one = found.getSpace().getSimpleExtentNpoints() == 1;
+    const H5T_class_t kind = one ? found.getTypeClass() : H5T_NO_CLASS;
+    if (kind == H5T_STRING) return text_attribute(name);
+    if (kind == H5T_INTEGER) return fmt::format("{}", integer_attribute(name));
+    if (kind != H5T_FLOAT) fail(name, "is another attribute, expected one text or number");
+    double number = 0;
+    found.read(H5::PredType::NATIVE_DOUBLE, &number);
+    return fmt::format("{}", number);
   });
-  if (kind == H5T_STRING) return text_attribute(name);
-  if (kind == H5T_INTEGER) return fmt::format("{}", integer_attribute(name));
-  if (kind == H5T_FLOAT) return fmt::format("{}", number);
-  fail(name, "is another attribute, expected one text or number");
 }
 
 std::map<std::string, std::string> GroupReader::printed_attributes() const {
-  std::vector<std::string> names;
-  guard("", [&] {
-    for (int i = 0; i < group_.getNumAttrs(); ++i)
-      names.push_back(group_.openAttribute(static_cast<unsigned>(i)).getName());
+  return guard("", [&] {
+    std::map<std::string, std::string> texts;
+    for (int i = 0; i < group_.getNumAttrs(); ++i) {
+      const std::string name = group_.openAttribute(static_cast<unsigned>(i)).getName();
+      texts[name] = printed_attribute(name);
+    }
+    return texts;
   });
-  std::map<std::string, std::string> texts;
-  for (const std::string& name : names) texts[name] = printed_attribute(name);
-  return texts;
 }
 
 std::string GroupReader::text(const std::string& name) const {
-  std::string text;
-  guard(name, [&] {
-    if (!group_.nameExists(name)) return;
+  return guard(name, [&]() -> std::string {
+    if (!group_.nameExists(name)) return "";
     const H5::DataSet data = group_.openDataSet(name);
-    if (data.getTypeClass() != H5T_STRING || data.getSpace().getSimpleExtentNpoints() != 1) return;
+    if (data.getTypeClass() != H5T_STRING || data.getSpace().getSimpleExtentNpoints() != 1)
+      return "";
     const H5::StrType type = data.getStrType();
-    if (type.isVariableStr() || type.getSize() > longest_text) return;
+    if (type.isVariableStr() || type.getSize() > longest_text) return "";
     std::vector<char> bytes(type.getSize() + 1, '\0');
     data.read(bytes.data(), type);
-    text = bytes.data();
+    return bytes.data();
   });
-  return text;
 }
 
 void write(H5::Group& group, const std::string& name, const VectorXd& numbers) {

@@ -1,8 +1,8 @@
 #pragma once
 
 #include <H5Cpp.h>
+#include <fmt/format.h>
 
-#include <functional>
 #include <map>
 #include <string>
 #include <vector>
@@ -61,6 +61,11 @@ class GroupReader {
 
   /// Throws UnreadableInput about the object `name` of this group, or the group itself if empty.
   [[noreturn]] void fail(const std::string& name, const std::string& what) const;
+  template <class... Arguments>
+  [[noreturn]] void fail(const std::string& name, fmt::format_string<Arguments...> text,
+                         Arguments&&... arguments) const {
+    fail(name, fmt::format(text, std::forward<Arguments>(arguments)...));
+  }
 
  private:
   GroupReader(std::string file, std::string path, H5::Group group);
@@ -71,9 +76,19 @@ class GroupReader {
   /// The size of a vector of at most `most` numbers.
   Index size_of(const std::string& name, Index most) const;
   bool holds(const std::string& name, H5O_type_t type) const;
+  H5::DataSet existing(const std::string& name, const char* expected) const;
   std::string printed_attribute(const std::string& name) const;
-  /// Runs `read` and turns what the HDF5 library throws into UnreadableInput about `name`.
-  void guard(const std::string& name, const std::function<void()>& read) const;
+  /// Returns what `read` returns, and turns what the HDF5 library throws into UnreadableInput about `name`.
+  template <class Read>
+  auto guard(const std::string& name, Read read) const {
+    try {
+      return read();
+    } catch (const H5::Exception& error) {
+      fail(name, "the HDF5 library cannot read it ({})", error.getDetailMsg());
+    }
+  }
+  /// Throws unless an attribute is one value of that kind.
+  H5::Attribute attribute(const std::string& name, H5T_class_t kind, const char* expected) const;
 
   std::string file_;
   std::string path_;

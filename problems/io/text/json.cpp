@@ -29,8 +29,10 @@ class Place {
   Place(const std::string& file, const Json& value, std::string path = "")
       : file_(&file), value_(&value), path_(std::move(path)) {}
 
-  [[noreturn]] void fail(const std::string& what) const {
-    throw UnreadableInput(fmt::format("{}: {}: {}", *file_, path_.empty() ? "/" : path_, what));
+  template <class... Arguments>
+  [[noreturn]] void fail(fmt::format_string<Arguments...> what, Arguments&&... arguments) const {
+    throw UnreadableInput("{}: {}: {}", *file_, path_.empty() ? "/" : path_,
+                          fmt::format(what, std::forward<Arguments>(arguments)...));
   }
   const Json& value() const { return *value_; }
   bool has(const char* key) const { return value_->contains(key); }
@@ -43,34 +45,34 @@ class Place {
   }
 
   void require_object(const std::set<std::string>& known) const {
-    if (!value_->is_object()) fail(fmt::format("is {}, expected an object", value_->type_name()));
+    if (!value_->is_object()) fail("is {}, expected an object", value_->type_name());
     for (const auto& [key, ignored] : value_->items())
       if (!known.contains(key))
-        fail(fmt::format("has the unknown key '{}', expected {}", key.substr(0, longest_shown),
-                         fmt::join(known, ", ")));
+        fail("has the unknown key '{}', expected {}", key.substr(0, longest_shown),
+             fmt::join(known, ", "));
   }
   /// An array of at most largest_rows entries.
   Index array() const { return array_of_at_most(largest_rows); }
   Index array_of_at_most(Index most) const {
-    if (!value_->is_array()) fail(fmt::format("is {}, expected an array", value_->type_name()));
+    if (!value_->is_array()) fail("is {}, expected an array", value_->type_name());
     if (value_->size() > static_cast<std::size_t>(most))
-      fail(fmt::format("has {} entries, expected at most {}", value_->size(), most));
+      fail("has {} entries, expected at most {}", value_->size(), most);
     return static_cast<Index>(value_->size());
   }
 
   double number() const {
-    if (!value_->is_number()) fail(fmt::format("is {}, expected a number", value_->type_name()));
+    if (!value_->is_number()) fail("is {}, expected a number", value_->type_name());
     return value_->get<double>();
   }
   Index integer() const {
     if (!value_->is_number_integer() ||
         (value_->is_number_unsigned() &&
          value_->get<std::uint64_t>() > std::uint64_t{std::numeric_limits<Index>::max()}))
-      fail(fmt::format("is {}, expected a whole number", value_->type_name()));
+      fail("is {}, expected a whole number", value_->type_name());
     return value_->get<Index>();
   }
   std::string text() const {
-    if (!value_->is_string()) fail(fmt::format("is {}, expected a text", value_->type_name()));
+    if (!value_->is_string()) fail("is {}, expected a text", value_->type_name());
     return value_->get<std::string>();
   }
 
@@ -91,7 +93,7 @@ class Place {
     for (Index i = 0; i < rows; ++i) {
       const Place row = (*this)[static_cast<std::size_t>(i)];
       const Index found = row.array();
-      if (found != columns) row.fail(fmt::format("has {} entries, expected {}", found, columns));
+      if (found != columns) row.fail("has {} entries, expected {}", found, columns);
     }
     MatrixXd numbers(rows, columns);
     for (Index i = 0; i < rows; ++i)
@@ -117,11 +119,10 @@ class Guard {
   bool operator()(int depth, Json::parse_event_t event, Json&) {
     const bool array = event == Json::parse_event_t::array_start;
     if (!array && event != Json::parse_event_t::object_start) return true;
-    if (depth >= deepest)
-      refuse(fmt::format("is nested deeper than {}, expected instances", deepest));
+    if (depth >= deepest) refuse("is nested deeper than {}, expected instances", deepest);
     const auto level = static_cast<std::size_t>(depth);
     if (array && ++arrays_[level] > largest_rows)
-      refuse(fmt::format("has more than {} rows in a matrix", largest_rows));
+      refuse("has more than {} rows in a matrix", largest_rows);
     if (!array && ++objects_ > most_objects_) refuse("has more objects than instances could have");
     arrays_[level + 1] = 0;
     return true;
@@ -130,8 +131,9 @@ class Guard {
  private:
   static constexpr std::size_t smallest_instance = 16;  ///< {"M":[],"q":[]}, in bytes
 
-  [[noreturn]] void refuse(const std::string& what) const {
-    throw UnreadableInput(fmt::format("{}: {}", path_, what));
+  template <class... Arguments>
+  [[noreturn]] void refuse(fmt::format_string<Arguments...> what, Arguments&&... arguments) const {
+    throw UnreadableInput(path_ + ": " + fmt::format(what, std::forward<Arguments>(arguments)...));
   }
 
   const std::string& path_;
@@ -143,7 +145,7 @@ Json parse(const std::string& path, const std::string& text) {
   try {
     return Json::parse(text, Guard(path, text.size()));
   } catch (const Json::exception& error) {
-    throw UnreadableInput(fmt::format("{}: {}", path, error.what()));
+    throw UnreadableInput("{}: {}", path, error.what());
   }
 }
 
@@ -156,11 +158,11 @@ FrictionBlocks read_friction(const Place& place) {
   blocks.mu = place["mu"].vector();
   blocks.directions_per_contact = place["directions_per_contact"].integer();
   if (blocks.directions_per_contact < 0 || blocks.directions_per_contact > largest_rows)
-    place["directions_per_contact"].fail(
-        fmt::format("is {}, expected 0 ... {}", blocks.directions_per_contact, largest_rows));
+    place["directions_per_contact"].fail("is {}, expected 0 ... {}", blocks.directions_per_contact,
+                                         largest_rows);
   const Place directions = place["directions"];
   if (const Index rows = directions.array(); rows != 2)
-    directions.fail(fmt::format("has {} entries, expected 2", rows));
+    directions.fail("has {} entries, expected 2", rows);
   // With no contact, or none of them rough, LCP and directions may both be empty.
   const Index columns = blocks.mu.size() * blocks.directions_per_contact;
   blocks.directions = directions.matrix(columns);
@@ -175,8 +177,7 @@ Problem read_problem(const Place& place) {
   problem.q = place["q"].vector();
   const Index n = problem.q.size();
   const Place M = place["M"];
-  if (const Index rows = M.array(); rows != n)
-    M.fail(fmt::format("has {} entries, expected {} as q", rows, n));
+  if (const Index rows = M.array(); rows != n) M.fail("has {} entries, expected {} as q", rows, n);
   problem.M = M.matrix(n);
   set_plain_scales(problem);
   if (place.has("s_z")) problem.s_z = place["s_z"].vector();
@@ -192,7 +193,7 @@ std::map<std::string, std::string> read_provenance(const Place& place) {
   if (!place.has("provenance")) return texts;
   const Place provenance = place["provenance"];
   if (!provenance.value().is_object())
-    provenance.fail(fmt::format("is {}, expected an object", provenance.value().type_name()));
+    provenance.fail("is {}, expected an object", provenance.value().type_name());
   for (const auto& [key, ignored] : provenance.value().items()) texts[key] = provenance[key].text();
   return texts;
 }
@@ -202,8 +203,7 @@ void require_hash(const Place& place, const char* key, const std::string& found)
   if (!place.has(key)) return;
   const std::string stored = place[key].text();
   if (stored != found)
-    place[key].fail(
-        fmt::format("is {}, but the content has {}", stored.substr(0, found.size()), found));
+    place[key].fail("is {}, but the content has {}", stored.substr(0, found.size()), found);
 }
 
 Instance read_instance(const Place& place, const std::string& unnamed) {
@@ -215,21 +215,21 @@ Instance read_instance(const Place& place, const std::string& unnamed) {
   try {
     instance = make_instance(name, read_problem(place), read_provenance(place));
   } catch (const std::invalid_argument& error) {
-    place.fail(error.what());
+    place.fail("{}", error.what());
   }
   require_hash(place, "sha256", instance.sha256);
   const Problem& problem = instance.problem;
   if (place.has("known_solution")) {
     instance.known_solution = place["known_solution"].vector();
     if (instance.known_solution->size() != problem.size())
-      place["known_solution"].fail(fmt::format("has {} entries, expected {}",
-                                               instance.known_solution->size(), problem.size()));
+      place["known_solution"].fail("has {} entries, expected {}", instance.known_solution->size(),
+                                   problem.size());
   }
   if (place.has("active_contacts")) {
     const Index active = place["active_contacts"].integer();
     const Index contacts = problem.friction ? problem.friction->contacts() : 0;
     if (active < 0 || active > contacts)
-      place["active_contacts"].fail(fmt::format("is {}, expected 0 ... {}", active, contacts));
+      place["active_contacts"].fail("is {}, expected 0 ... {}", active, contacts);
     instance.active_contacts = active;
   }
   if (place.has("previous_alpha")) {
@@ -239,7 +239,7 @@ Instance read_instance(const Place& place, const std::string& unnamed) {
     try {
       check(previous, problem.size(), "previous solution");
     } catch (const std::invalid_argument& error) {
-      place.fail(error.what());
+      place.fail("{}", error.what());
     }
     require_hash(place, "previous_sha256", hash_with_previous(instance));
   }
@@ -248,7 +248,7 @@ Instance read_instance(const Place& place, const std::string& unnamed) {
 
 // --- writing ---
 
-Json rows_of(const MatrixXd& matrix) {
+Json to_json(const MatrixXd& matrix) {
   Json rows = Json::array();
   for (Index i = 0; i < matrix.rows(); ++i) {
     const Eigen::RowVectorXd row = matrix.row(i);
@@ -257,32 +257,31 @@ Json rows_of(const MatrixXd& matrix) {
   return rows;
 }
 
-Json list_of(const VectorXd& vector) { return std::vector<double>(vector.begin(), vector.end()); }
+Json to_json(const VectorXd& vector) { return std::vector<double>(vector.begin(), vector.end()); }
+
+Json to_json(Index number) { return number; }
+
+Json to_json(const std::vector<Index>& numbers) { return numbers; }
 
 Json to_json(const FrictionBlocks& blocks) {
-  return {{"W", rows_of(blocks.W)},
-          {"vbar", list_of(blocks.vbar)},
-          {"mu", list_of(blocks.mu)},
-          {"directions", rows_of(blocks.directions)},
-          {"directions_per_contact", blocks.directions_per_contact},
-          {"normal_row", blocks.normal_row},
-          {"friction_row", blocks.friction_row},
-          {"cone_row", blocks.cone_row}};
+  Json json;
+  each_field(blocks, [&](const char* name, const auto& field) { json[name] = to_json(field); });
+  return json;
 }
 
 Json to_json(const Instance& instance) {
   const Problem& problem = instance.problem;
   Json json = {{"name", instance.name},        {"sha256", instance.sha256},
-               {"provenance", Json::object()}, {"M", rows_of(problem.M)},
-               {"q", list_of(problem.q)},      {"s_z", list_of(problem.s_z)},
-               {"s_w", list_of(problem.s_w)},  {"pivot_limit", problem.pivot_limit}};
+               {"provenance", Json::object()}, {"M", to_json(problem.M)},
+               {"q", to_json(problem.q)},      {"s_z", to_json(problem.s_z)},
+               {"s_w", to_json(problem.s_w)},  {"pivot_limit", problem.pivot_limit}};
   for (const auto& [key, text] : instance.provenance) json["provenance"][key] = text;
-  if (problem.c.size() > 0) json["c"] = list_of(problem.c);
-  if (instance.known_solution) json["known_solution"] = list_of(*instance.known_solution);
+  if (problem.c.size() > 0) json["c"] = to_json(problem.c);
+  if (instance.known_solution) json["known_solution"] = to_json(*instance.known_solution);
   if (instance.active_contacts) json["active_contacts"] = *instance.active_contacts;
   if (instance.previous) {
     json["previous_alpha"] = instance.previous->alpha;
-    if (instance.previous->z.size() > 0) json["previous_z"] = list_of(instance.previous->z);
+    if (instance.previous->z.size() > 0) json["previous_z"] = to_json(instance.previous->z);
     json["previous_sha256"] = hash_with_previous(instance);
   }
   if (problem.friction) json["friction"] = to_json(*problem.friction);
@@ -305,8 +304,7 @@ std::vector<Instance> read_json(const std::string& path, const std::string& unna
     const std::string otherwise = count == 1 ? unnamed : fmt::format("{}/{}", unnamed, i);
     instances.push_back(read_instance(all[i], otherwise));
     if (!names.insert(instances.back().name).second)
-      all[i].fail(fmt::format("is called '{}' like another, expected different names",
-                              instances.back().name));
+      all[i].fail("is called '{}' like another, expected different names", instances.back().name);
   }
   return instances;
 }
@@ -321,8 +319,8 @@ void write_json(const std::string& path, const std::vector<Instance>& instances)
     }
     text += &instance == &instances.back() ? "\n" : ",\n";
     if (text.size() > largest_json)
-      throw UnwritableOutput(
-          fmt::format("{}: JSON cannot hold more than {} bytes; write .hdf5", path, largest_json));
+      throw UnwritableOutput("{}: JSON cannot hold more than {} bytes; write .hdf5", path,
+                             largest_json);
   }
   replace_file(path, text + "]}\n");
 }

@@ -56,14 +56,14 @@ std::string_view Scanner::word(const std::string& expected) {
 }
 
 void Scanner::require(std::string_view expected) {
-  if (peek() != expected) fail(fmt::format("'{}'", expected));
+  if (peek() != expected) fail("'{}'", expected);
   at_ += expected.size();
 }
 
 Index Scanner::integer(const std::string& what, Index least, Index most) {
   Index number = 0;
   if (!parse(peek(), number) || number < least || number > most)
-    fail(fmt::format("{}: a whole number in {} ... {}", what, least, most));
+    fail("{}: a whole number in {} ... {}", what, least, most);
   at_ += peek().size();
   return number;
 }
@@ -71,8 +71,7 @@ Index Scanner::integer(const std::string& what, Index least, Index most) {
 double Scanner::number(const std::string& what) {
   double number = 0;
   const std::string_view found = peek();
-  if (!parse(found, number) || !std::isfinite(number))
-    fail(fmt::format("{}: a finite number", what));
+  if (!parse(found, number) || !std::isfinite(number)) fail("{}: a finite number", what);
   at_ += found.size();
   return number;
 }
@@ -87,8 +86,8 @@ VectorXd Scanner::numbers(const std::string& what, Index size) {
 void Scanner::require_room_for(const std::string& what, Index count) {
   const std::size_t left = text_.size() - at_;
   if (static_cast<std::size_t>(count) > (left + 1) / 2)
-    throw UnreadableInput(fmt::format("{}: line {}: {} bytes left, expected {} numbers of {}",
-                                      file_, line(), left, count, what));
+    throw UnreadableInput("{}: line {}: {} bytes left, expected {} numbers of {}", file_, line(),
+                          left, count, what);
 }
 
 void Scanner::skip_line() { at_ = std::min(text_.find('\n', at_), text_.size()); }
@@ -100,7 +99,7 @@ Index Scanner::line() const {
 void Scanner::fail(const std::string& expected) {
   const std::string found(peek().substr(0, longest_shown));
   const std::string what = found.empty() ? "the end of the file" : fmt::format("'{}'", found);
-  throw UnreadableInput(fmt::format("{}: line {}: {}, expected {}", file_, line(), what, expected));
+  throw UnreadableInput("{}: line {}: {}, expected {}", file_, line(), what, expected);
 }
 
 }  // namespace lcp

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <fmt/format.h>
+
 #include <string>
 #include <string_view>
 
@@ -35,6 +37,10 @@ class Scanner {
 
   /// Throws about the next word.
   [[noreturn]] void fail(const std::string& expected);
+  template <class... Arguments>
+  [[noreturn]] void fail(fmt::format_string<Arguments...> expected, Arguments&&... arguments) {
+    fail(fmt::format(expected, std::forward<Arguments>(arguments)...));
+  }
 
  private:
   void skip_blanks();

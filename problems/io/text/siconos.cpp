@@ -1,7 +1,5 @@
 #include "problems/io/text/siconos.h"
 
-#include <fmt/format.h>
-
 #include <array>
 #include <charconv>
 #include <stdexcept>
@@ -55,7 +53,7 @@ Instance read_lcp(Scanner& file, const std::string& name,
   try {
     return make_instance(name, std::move(problem), std::move(provenance));
   } catch (const std::invalid_argument& error) {
-    throw UnreadableInput(fmt::format("{}: {}", path, error.what()));
+    throw UnreadableInput("{}: {}", path, error.what());
   }
 }
 

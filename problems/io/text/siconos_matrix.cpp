@@ -104,7 +104,7 @@ MatrixXd read_columns(Scanner& file, Index size) {
       matrix(i, j) += file.number("M");
     }
   }
-  if (read != stored) file.fail(fmt::format("{} entries of M instead of {}", stored, read));
+  if (read != stored) file.fail("{} entries of M instead of {}", stored, read);
   return matrix;
 }
 

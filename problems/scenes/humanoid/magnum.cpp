@@ -6,7 +6,8 @@ namespace lcp::magnum {
 
 namespace {
 
-/// A link with its joint, about its own z axis.
+/// A link with its joint, about its own z axis. Those on the right are the mirror images of those on the
+/// left.
 struct Row {
   const char* name;
   Index parent;
@@ -55,36 +56,6 @@ constexpr Row table[] = {
     {"left_ankle_abduction", 9, {0, -1, 0, 0, 0, 1, -1, 0, 0}, {0, -0.044, 0.0065},
      0.329776, {6e-06, -0.032342, 0.02845}, {0.000568, 0.000534, 0.000236, 0, 0, -0.000112},
      {0, 0, 0}, {0, 0, 0}},
-    {"right_shoulder_flexion", 0, {0, -1, 0, h, 0, -h, h, 0, h}, {-0.046, -0.069539, 0.052662},
-     0.147856, {-0.00556493, 0.003484, 0.038542976}, {5.4e-05, 0.00012, 0.000126, 1e-06, 2.6e-05, 1e-06},
-     {-0.0427, -0.0445, 0.024}, {0.03, 0.0445, 0.1063}},
-    {"right_shoulder_abduction", 11, {-h, h, 0, 0, 0, 1, h, h, 0}, {-0.02114319986, 0.005, 0.06114281625},
-     0.146784, {0.002341, -0.033864, -0.003333}, {0.000202, 4.2e-05, 0.000189, 9e-06, 0, 8e-06},
-     {-0.018, -0.1, -0.0225}, {0.0235, 0.018, 0.0245}},
-    {"right_elbow_rotation", 12, {1, 0, 0, 0, 0, -1, 0, 1, 0}, {0, -0.077, -0.005},
-     0.077469, {1.1e-05, 0.001119, 0.02598}, {4.3e-05, 4.2e-05, 1e-05, 0, 0, 1e-06},
-     {0, 0, 0}, {0, 0, 0}},
-    {"right_elbow_flexion", 13, {1, 0, 0, 0, 0, -1, 0, 1, 0}, {0, 0.005, 0.044},
-     0.171038, {0.002123, 0.029914, 0.000185}, {0.000195, 5.7e-05, 0.000171, -6e-06, 1e-06, 9e-06},
-     {-0.019, -0.019, -0.0245}, {0.0265, 0.1067, 0.0225}},
-    {"right_hip_flexion", 0, {0, 1, 0, 0, 0, -1, -1, 0, 0}, {-0.046, -0.029, -0.092},
-     0.106071, {1e-05, -0.001533, 0.025129}, {7.1e-05, 6.5e-05, 2.4e-05, 0, 0, -3e-06},
-     {0, 0, 0}, {0, 0, 0}},
-    {"right_hip_abduction", 15, {0, 1, 0, 0, 0, -1, -1, 0, 0}, {0, -0.011, 0.046},
-     0.374062, {0.006225, 0.041239, -0.008906}, {0.000436, 0.00019, 0.000389, 8.2e-05, -5e-06, -4e-06},
-     {-0.019, -0.019, -0.034}, {0.042, 0.121, 0.034}},
-    {"right_knee_rotation", 16, {0, -1, 0, 0, 0, 1, -1, 0, 0}, {0.025, 0.097, -0.011},
-     0.077328, {-6.3e-05, 0.001114, 0.026101}, {4.3e-05, 4.2e-05, 1e-05, 0, 0, 1e-06},
-     {0, 0, 0}, {0, 0, 0}},
-    {"right_knee_flexion", 17, {1, 0, 0, 0, 0, -1, 0, 1, 0}, {0, 0.005, 0.044},
-     0.341003, {-0.002346, 0.048179, 0.0007}, {0.000552, 0.00016, 0.000505, -4.2e-05, 3e-06, 1.7e-05},
-     {-0.045, -0.041, -0.0342}, {0.032, 0.132, 0.0372}},
-    {"right_ankle_flexion", 18, {0, 1, 0, 1, 0, 0, 0, 0, -1}, {-0.008, 0.113, 0},
-     0.09306, {1.1e-05, -0.003433, -0.001456}, {3.4e-05, 2e-05, 2.7e-05, 0, 0, 2e-06},
-     {0, 0, 0}, {0, 0, 0}},
-    {"right_ankle_abduction", 19, {0, -1, 0, 0, 0, -1, 1, 0, 0}, {0, -0.044, -0.0065},
-     0.329776, {6e-06, -0.032342, -0.02845}, {0.000568, 0.000534, 0.000236, 0, 0, 0.000112},
-     {0, 0, 0}, {0, 0, 0}},
 };
 // clang-format on
 
@@ -100,12 +71,10 @@ constexpr struct {
     {0, {-0.172, -0.075, -0.058}, {-0.085, 0.075, 0.117}},
     {10, {-0.018, -0.046, -0.014}, {0.018, 0.018, 0.07}},
     {10, {-0.037, -0.0562, -0.001}, {0.037, -0.03, 0.102}},
-    {20, {-0.018, -0.046, -0.07}, {0.018, 0.018, 0.014}},
-    {20, {-0.037, -0.0562, -0.102}, {0.037, -0.03, 0.001}},
 };
 
-constexpr Index links = std::size(table);
-static_assert(links == 21);
+constexpr Index rows = std::size(table), limbs = rows - 1;  // limbs: links on one side
+static_assert(rows + limbs == 21);
 
 Vector3d vector(const double (&numbers)[3]) { return Vector3d(numbers); }
 
@@ -123,25 +92,51 @@ Link link(const Row& row) {
   return made;
 }
 
+/// Frames on the right have their z axis the other way; the body's own frame is mirrored along y.
+const Vector3d kFlipZ(1, 1, -1), kFlipY(1, -1, 1);
+
+Link mirrored(Link link) {
+  const bool on_body = link.parent == body;
+  const Vector3d& across = on_body ? kFlipY : kFlipZ;
+  const auto flipped = [](const Matrix3d& m, const Vector3d& left, const Vector3d& right) {
+    return Matrix3d((left.asDiagonal() * m * right.asDiagonal()).array() + 0.0);  // no -0
+  };
+  link.name = "right" + link.name.substr(std::string_view("left").size());
+  if (!on_body) link.parent += limbs;
+  link.in_parent.R = flipped(link.in_parent.R, across, kFlipZ);
+  link.in_parent.p = across.cwiseProduct(link.in_parent.p).array() + 0.0;
+  link.centre = kFlipZ.cwiseProduct(link.centre).array() + 0.0;
+  link.inertia = flipped(link.inertia, kFlipZ, kFlipZ);
+  return link;
+}
+
 }  // namespace
 
 Model model() {
   std::vector<Link> made;
   for (const Row& row : table) made.push_back(link(row));
+  for (Index i = 1; i < rows; ++i) made.push_back(mirrored(made[i]));
   return Model(std::move(made));
 }
 
 std::vector<collision::Shape> link_boxes() {
   std::vector<collision::Shape> boxes;
-  const auto add = [&](Index link, const Vector3d& low, const Vector3d& high) {
+  const auto add = [&](Index link, const double(&from)[3], const double(&to)[3], bool right) {
+    Vector3d low = vector(from), high = vector(to);
+    if (right) {
+      low.z() = -to[2];
+      high.z() = -from[2];
+    }
     boxes.push_back({.geometry = collision::Box{high - low},
-                     .link = link,
+                     .link = right ? link + limbs : link,
                      .in_link = {Matrix3d::Identity(), (low + high) / 2}});
   };
-  for (Index i = 0; i < links; ++i)
-    if (vector(table[i].low) != vector(table[i].high))
-      add(i, vector(table[i].low), vector(table[i].high));
-  for (const auto& part : parts) add(part.link, vector(part.low), vector(part.high));
+  for (const bool right : {false, true})
+    for (Index i = 1; i < rows; ++i)
+      if (vector(table[i].low) != vector(table[i].high)) add(i, table[i].low, table[i].high, right);
+  for (const bool right : {false, true})
+    for (const auto& part : parts)
+      if (part.link != body || !right) add(part.link, part.low, part.high, right);
   return boxes;
 }
 

@@ -88,6 +88,16 @@ TEST(Measure, ComparesTheSolversOwnWWithTheArtificialVariable) {
   EXPECT_EQ(measure(two_by_two().problem, result).paper_error, 0.25);
 }
 
+TEST(Measure, TakesTheArtificialVariableTimesItsOwnColumnFromTheSolversW) {
+  Result result = answer(Claim::ray, vec({1, 2}));  // M z + q = 0
+  result.z0 = 0.25;
+  result.covering = vec({2, 4});
+  result.w = vec({0.5, 1});
+  EXPECT_EQ(measure(two_by_two().problem, result).paper_error, 0);
+  result.w = vec({0.25, 0.25});
+  EXPECT_EQ(measure(two_by_two().problem, result).paper_error, 0.75);
+}
+
 TEST(BackwardError, IsTheLargestRatioOfTheClaimedBasis) {
   Result result = answer(Claim::solved, vec({1.5, 2}));
   result.basis = {0};  // z = (1.5, 0): w = (-1, -3.5), |M||z| + |q| = (7, 6.5).
@@ -237,6 +247,14 @@ TEST(Judge, MarksInstancesThatZeroSolves) {
   EXPECT_FALSE(unsupported.unclaimed) << "a method that does not apply has not failed";
 }
 
+TEST(Judge, MarksInstancesThatZeroSolvesToTheTolerance) {
+  const Instance nearly = instance_of(MatrixXd{{1}}, vec({-1e-7}));
+  const Result solution = answer(Claim::solved, vec({1e-7}));
+  EXPECT_TRUE(judge(nearly, solution, 1e-6).trivial);
+  EXPECT_TRUE(judge(nearly, solution, 1e-7).trivial);
+  EXPECT_FALSE(judge(nearly, solution, 1e-8).trivial);
+}
+
 /// w = -z - 1 has no w, z >= 0; y = 1 shows it.
 TEST(Judge, ChecksTheCertificateOfInfeasibility) {
   const Instance infeasible = instance_of(MatrixXd{{-1}}, vec({-1}));
@@ -268,6 +286,16 @@ TEST(Judge, SaysFalseInfeasibleWhenTheAnswerItselfIsASolution) {
   EXPECT_TRUE(judgement.unclaimed);
 }
 
+TEST(Judge, SaysFalseInfeasibleWhenZeroIsASolution) {
+  Result result = answer(Claim::infeasible, vec({5}));  // w = 5.5: no solution itself
+  EXPECT_EQ(judge(instance_of(MatrixXd{{1}}, vec({0.5})), result, 1e-6).verdict,
+            Verdict::false_infeasible);
+  EXPECT_EQ(judge(instance_of(MatrixXd{{1}}, vec({-1e-7})), result, 1e-6).verdict,
+            Verdict::false_infeasible)
+      << "to the tolerance";
+  EXPECT_EQ(judge(instance_of(MatrixXd{{1}}, vec({-1e-5})), result, 1e-6).verdict, Verdict::wrong);
+}
+
 TEST(ProvesInfeasible, ForgivesRoundingUpToTheTolerance) {
   const double rounding = 1e-12;
   const Problem problem = instance_of(MatrixXd{{1, 0}, {-1 + rounding, 0}}, vec({-1, 0})).problem;
@@ -281,6 +309,13 @@ TEST(ProvesInfeasible, WantsQYClearlyBelowZero) {
   EXPECT_FALSE(proves_infeasible(problem, vec({1, 1}), 1e-9));
 }
 
+TEST(ProvesInfeasible, WantsQYBelowZeroEvenWithoutATolerance) {
+  // y = 1 has M'y <= 0 and q'y = 0; z = 0 is a solution.
+  EXPECT_FALSE(proves_infeasible(instance_of(MatrixXd{{-1}}, vec({0})).problem, vec({1}), 0));
+  EXPECT_FALSE(proves_infeasible(instance_of(MatrixXd{{-1}}, vec({-1})).problem, vec({0}), 0));
+  EXPECT_TRUE(proves_infeasible(instance_of(MatrixXd{{-1}}, vec({-1e-300})).problem, vec({1}), 0));
+}
+
 TEST(ProvesInfeasible, WantsYNonnegativeToTheLastBit) {
   const Problem problem = instance_of(MatrixXd{{-1, 0}, {0, 0}}, vec({-1, 0})).problem;
   EXPECT_TRUE(proves_infeasible(problem, vec({1, 0}), 1e-6));
@@ -289,11 +324,11 @@ TEST(ProvesInfeasible, WantsYNonnegativeToTheLastBit) {
 }
 
 TEST(Verdict, IsReadBackFromItsName) {
-  for (const Verdict verdict : all_verdicts())
-    EXPECT_EQ(verdict_from_string(to_string(verdict)), verdict);
+  for (const Verdict verdict : all_values<Verdict>())
+    EXPECT_EQ(from_string<Verdict>(to_string(verdict)), verdict);
   EXPECT_EQ(to_string(Verdict::false_infeasible), "false-infeasible");
   EXPECT_EQ(to_string(Verdict::not_run), "not-run");
-  EXPECT_THROW(verdict_from_string("fine"), std::invalid_argument);
+  EXPECT_THROW(from_string<Verdict>("fine"), std::invalid_argument);
 }
 
 }  // namespace

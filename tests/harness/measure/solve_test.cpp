@@ -329,10 +329,10 @@ TEST(SolveFromPrevious, RefusesAnotherStartBeside) {
 }
 
 TEST(StartKind, IsSpelledAsOnTheCommandLine) {
-  for (const StartKind kind : all_start_kinds())
-    EXPECT_EQ(start_kind_from_string(to_string(kind)), kind);
+  for (const StartKind kind : all_values<StartKind>())
+    EXPECT_EQ(from_string<StartKind>(to_string(kind)), kind);
   EXPECT_EQ(to_string(StartKind::two_step), "two-step");
-  EXPECT_THROW(start_kind_from_string("warm"), std::invalid_argument);
+  EXPECT_THROW(from_string<StartKind>("warm"), std::invalid_argument);
 }
 
 /// Two contacts without friction on bodies that do not influence one another.

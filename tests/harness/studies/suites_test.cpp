@@ -41,6 +41,24 @@ TEST(Suites, NameOnlySolversThatExistAndEachOnce) {
   }
 }
 
+TEST(Suites, RunEveryRowOfOursThatDoesNotStayOutInTheOrderOfPlaces) {
+  const std::vector<std::string> names = find_suite("default").solvers;
+  std::vector<int> places;
+  std::set<std::string> run;
+  for (const std::string& name : names) {
+    const RowInfo& info = find_row(parse_spelling(name).name).info;
+    places.push_back(info.in_suites.place);
+    run.insert(info.name);
+  }
+  EXPECT_TRUE(std::is_sorted(places.begin(), places.end()));
+  for (const Row& row : registry())
+    EXPECT_EQ(run.count(row.info.name) == 1,
+              !row.info.peer() && !row.info.in_suites.settings.empty())
+        << row.info.name;
+  for (const char* suite : {"contact", "full", "scaling", "small"})
+    EXPECT_EQ(find_suite(suite).solvers, names) << suite;
+}
+
 TEST(Suites, AreThoseTheUserWasPromised) {
   for (const char* name : {"default", "small", "contact", "paper", "peers", "scaling", "full"})
     EXPECT_GT(size(find_suite(name)), 0) << name;

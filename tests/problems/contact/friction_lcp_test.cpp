@@ -127,6 +127,48 @@ TEST(FrictionLcp, IsTheSameInMetresAndInMillimetresOnceScaled) {
             1e-15);
 }
 
+/// v* in all rows' w and f* in their z, but the other way round in the rows of lambda.
+void expect_scales(const Problem& problem, double v, double f) {
+  VectorXd s_z = VectorXd::Constant(problem.size(), f);
+  VectorXd s_w = VectorXd::Constant(problem.size(), v);
+  for (const Index row : problem.friction->cone_row) {
+    if (row < 0) continue;
+    s_z(row) = v;
+    s_w(row) = f;
+  }
+  ASSERT_EQ(problem.s_z.size(), problem.size());
+  ASSERT_EQ(problem.s_w.size(), problem.size());
+  for (Index i = 0; i < problem.size(); ++i) {
+    EXPECT_DOUBLE_EQ(problem.s_z(i), s_z(i)) << "row " << i;
+    EXPECT_DOUBLE_EQ(problem.s_w(i), s_w(i)) << "row " << i;
+  }
+}
+
+TEST(FrictionLcp, ScalesAreTheLargestSpeedAndWhatForceGivesItAtTheMeanNormalMobility) {
+  // Two contacts; the largest |vbar| is tangential, negative and of the second. The normal mobilities
+  // are 1 and 3, so that 2 is their mean.
+  ContactProblem contacts;
+  contacts.contacts = cases::floor_contacts({0.5, 0});
+  contacts.W = VectorXd{{1, 20, 30, 3, 40, 50}}.asDiagonal();
+  contacts.vbar = VectorXd{{-1, 2, 0, 3, 0, -8}};
+  const Problem problem = friction_lcp(contacts, {.directions = 4});
+  expect_scales(problem, 8, 8 / 2.0);
+  contacts.vbar(5) = 0;  // now it is a normal one, 3
+  expect_scales(friction_lcp(contacts), 3, 3 / 2.0);
+}
+
+TEST(FrictionLcp, ScalesOfManyContactsFollowTheSameRule) {
+  for (const Index seed : {10, 11, 12}) {
+    cases::Uniform uniform(seed);
+    const ContactProblem contacts = cases::random_contacts({0.3, 0, 0.8, 0.5}, 1000, uniform);
+    double mobility = 0;
+    for (Index i = 0; i < 4; ++i) mobility += contacts.W(3 * i, 3 * i) / 4;
+    const double v = contacts.vbar.lpNorm<Eigen::Infinity>();
+    expect_scales(friction_lcp(contacts), v, v / mobility);
+    expect_scales(frictionless_lcp(contacts), v, v / mobility);
+  }
+}
+
 TEST(FrictionLcp, ScalesStayPositiveWithoutMotionOrMobility) {
   ContactProblem still = cases::particle(0.5, {0, 0, 0});
   EXPECT_EQ(friction_lcp(still).s_w(0), 1);
@@ -187,6 +229,8 @@ TEST(FrictionlessPart, FollowsTheContactsWhereverTheirRowsStandAndKeepsScales) {
   problem.q = VectorXd(problem.q(reversed));
   problem.friction->normal_row = {4, 3};
   const Problem part = frictionless_part(problem);
+  ASSERT_EQ(part.size(), 2);
+  for (const VectorXd* rows : {&part.s_z, &part.s_w, &part.c}) ASSERT_EQ(rows->size(), 2);
   EXPECT_EQ(part.M(0, 1), problem.M(4, 3));
   EXPECT_EQ(part.q, (VectorXd{{problem.q(4), problem.q(3)}}));
   EXPECT_EQ(part.s_z, (VectorXd{{5, 4}}));

@@ -1,18 +1,11 @@
-// A file of its own: Eigen's decompositions take long to compile.
-
 #include "tests/problems/families/independent.h"
 
-#include <Eigen/Eigenvalues>
-#include <Eigen/SVD>
+#include "problems/decompositions.h"
 
 namespace lcp::independent {
 
-VectorXd eigenvalues(const MatrixXd& symmetric) {
-  return Eigen::SelfAdjointEigenSolver<MatrixXd>(symmetric, Eigen::EigenvaluesOnly).eigenvalues();
-}
+VectorXd eigenvalues(const MatrixXd& symmetric) { return symmetric_eigen(symmetric).values; }
 
-VectorXd singular_values(const MatrixXd& M) {
-  return Eigen::JacobiSVD<MatrixXd>(M).singularValues();
-}
+VectorXd singular_values(const MatrixXd& M) { return small_singular_values(M); }
 
 }  // namespace lcp::independent

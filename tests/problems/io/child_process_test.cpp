@@ -44,7 +44,7 @@ TEST(TryInChild, NamesTheSignalOfACrash) {
 }
 
 TEST(TryInChild, NamesTheStatusOfAnEarlyExit) {
-  EXPECT_EQ(death_of(plenty, []() -> std::string { _exit(7); }), "reading x: ended with status 7");
+  EXPECT_EQ(death_of(plenty, []() -> std::string { _exit(7); }), "reading x: exited with status 7");
 }
 
 TEST(TryInChild, StopsWorkThatHangs) {

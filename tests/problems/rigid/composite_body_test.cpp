@@ -1,7 +1,7 @@
 #include <gtest/gtest.h>
 
+#include "problems/decompositions.h"
 #include "problems/rigid/contact_dynamics.h"
-#include "problems/singular_values.h"
 #include "tests/problems/rigid/dynamics_cases.h"
 
 namespace lcp {

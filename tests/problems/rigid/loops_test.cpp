@@ -51,7 +51,48 @@ TEST_P(OnLoops, AreClosedAndStayOpenOnlyWhileTheyMust) {
     EXPECT_TRUE(plan.parts[root].open.empty() || plan.parts[root].is_body());
 }
 
+TEST_P(OnLoops, PhiIsSymmetricToTheLastBit) {
+  const ClosedSystem s(GetParam());
+  ForwardDynamics dynamics(s.model, s.handles);
+  dynamics.assemble(s.kinematics(), s.torques, s.gravity);
+  const MatrixXd Phi = dynamics.handle_dynamics().Phi;
+  EXPECT_EQ((Phi - Phi.transpose()).cwiseAbs().maxCoeff(), 0);
+}
+
 INSTANTIATE_TEST_SUITE_P(ForwardDynamics, OnLoops, testing::ValuesIn(cases::loop_cases()),
+                         [](const auto& each) { return each.param.name; });
+
+/// A system whose loops lie within one tree, so that its loops' joints alone may be redundant.
+class OnInnerLoops : public testing::TestWithParam<LoopCase> {};
+
+TEST_P(OnInnerLoops, AJointTransmitsNothingWhereItAnswersLessThanItsShareOfRedundancy) {
+  const ClosedSystem s(GetParam());
+  const Model open(s.model.links());
+  const Kinematics apart = kinematics(open, s.state, s.origin());
+  // A loop's joint answers at most as the two bodies would by themselves, each of its up to six
+  // components by up to 1: all of them are below 7, which leaves every loop open.
+  ForwardDynamics dropped(s.model, s.handles, {.redundancy = 7}), without(open, s.handles);
+  dropped.assemble(s.kinematics(), s.torques, s.gravity);
+  without.assemble(apart, s.torques, s.gravity);
+  EXPECT_LE(relative_error(at_origin(dropped.handle_dynamics()).Phi,
+                           at_origin(without.handle_dynamics()).Phi),
+            1e-12);
+  EXPECT_LE(
+      relative_error(dropped.disassemble(s.forces).joints, without.disassemble(s.forces).joints),
+      1e-12);
+}
+
+std::vector<LoopCase> inner_loop_cases() {
+  std::vector<LoopCase> inner = cases::loop_cases();
+  std::erase_if(inner, [](const LoopCase& each) {
+    return each.recipe.second_root ||
+           std::any_of(each.closures.begin(), each.closures.end(),
+                       [](const cases::Closure& c) { return c.link1 == Link::world; });
+  });
+  return inner;
+}
+
+INSTANTIATE_TEST_SUITE_P(ForwardDynamics, OnInnerLoops, testing::ValuesIn(inner_loop_cases()),
                          [](const auto& each) { return each.param.name; });
 
 }  // namespace

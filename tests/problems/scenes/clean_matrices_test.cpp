@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "problems/decompositions.h"
 #include "problems/scenes/scene.h"
 #include "tests/problems/rigid/simulation_cases.h"
 
@@ -13,8 +14,7 @@ using cases::record;
 class OnScenes : public testing::TestWithParam<std::string> {};
 
 double least_eigenvalue(const MatrixXd& W) {
-  const VectorXd values =
-      Eigen::SelfAdjointEigenSolver<MatrixXd>((W + W.transpose()) / 2).eigenvalues();
+  const VectorXd values = symmetric_eigen((W + W.transpose()) / 2).values;
   return values(0) / values.maxCoeff();
 }
 

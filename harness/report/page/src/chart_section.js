@@ -1,14 +1,16 @@
 // The frame of every chart: heading, its own choices, the drawing, the numbers behind it, saving.
 
 import { element } from "./dom.js";
-import { saveButton } from "./sheet.js";
+import { drawFigure } from "./figure.js";
+import { saveButton } from "./svg.js";
 
 const narrowest = 560;
 const widest = 1120;
 
 /**
  * A section whose chart is drawn anew when the selection, its choices or the width change.
- * `draw(width)` returns {drawing, numbers}: the SVG and a table of what it shows.
+ * `draw(width)` returns {figure, numbers}: what is drawn (figure.js) and a table of what it shows, or
+ * {nothing}: why there is no drawing.
  */
 export function chartSection({ id, heading, explanation, choices = [], draw, selection, widths }) {
   const place = element("div", { class: "drawing" });
@@ -25,7 +27,7 @@ export function chartSection({ id, heading, explanation, choices = [], draw, sel
   const redraw = () => {
     const available = widths.offsetWidth || 1000;
     const drawn = draw(Math.max(narrowest, Math.min(widest, available)));
-    drawing = drawn.drawing;
+    drawing = drawn.figure ? drawFigure(drawn.figure) : null;
     place.replaceChildren(drawing ?? element("p", { class: "nothing" }, drawn.nothing));
     section.querySelector(".save").disabled = !drawing;
     behind.replaceChildren(drawn.numbers ?? "");

@@ -1,9 +1,9 @@
 // What the reader can choose for the whole page: corpus, tolerance, and which solvers take part.
 
 import { element, select } from "./dom.js";
+import { key } from "./figure.js";
 import { tolerance } from "./numbers.js";
-import { key, svg } from "./sheet.js";
-import { shapeOf } from "./shapes.js";
+import { svg } from "./svg.js";
 
 function corpusChoice(selection) {
   const { run } = selection;
@@ -51,8 +51,8 @@ export function controls(selection, marks) {
       button("others", () => new Set(indices.filter((i) => selection.shown(i))))),
     ...run.variants.map((variant, i) => element("label", { class: "solver", title: variant.label },
       boxes[i],
-      svg("svg", { width: 24, height: 12, "aria-hidden": "true" },
-          key(1, 6, marks[i], shapeOf(marks[i].symbol, 36))),
+      svg("svg", { width: 26, height: 12, "aria-hidden": "true" },
+          key(0, 6, { look: marks[i].look, line: true })),
       element("b", {}, marks[i].letter), element("span", {}, variant.label))));
   return element("aside", { class: "controls" },
     element("nav", {}, ...[["#matrix", "Verdicts"], ["#table", "Table"], ["#plane", "Speed and accuracy"],

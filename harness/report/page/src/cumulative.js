@@ -1,96 +1,26 @@
 // Cumulative curves: how many instances are solved to an accuracy within a time, and how accurately
 // within a given time; and the time it takes to reach each accuracy.
 
-import * as Plot from "@observablehq/plot";
 import { chartSection, numbersTable } from "./chart_section.js";
+import { curvesFigure, leftOut, steps } from "./curves.js";
 import { select } from "./dom.js";
-import { endLabels, roomFor } from "./end_labels.js";
-import { counts, judge } from "./judge.js";
-import { duration, logTicks, percent, power, tolerance } from "./numbers.js";
-import { headHeight, placed, sheet, text } from "./sheet.js";
+import { duration, logTicks, power, tolerance } from "./numbers.js";
+import { ascending } from "./quantile.js";
 
-export const labelRoom = (width) => (width >= 900 ? 390 : 320);
-
-/** Rows that count at the tolerance that is shown: the denominator of all shares here. */
-function counted(selection, variant) {
-  return selection.rowsOf.get(variant).filter((each) => counts(each.column));
+/** Variants with the rows that count for them at an accuracy: the denominator of shares. */
+function countedAt(selection, accuracy, variants = selection.variants()) {
+  const rowsOf = selection.rowsAt(accuracy);
+  return variants.map((v) => [v, rowsOf.get(v).filter((each) => each.counted)])
+    .filter(([, rows]) => rows.length > 0);
 }
 
-/** What stands out of the denominators, in words. */
-export function leftOut(selection) {
-  const names = { trivial: "trivial", unsupported: "unsupported", not_run: "not run" };
-  const parts = selection.variants().flatMap((variant) => {
-    const rows = selection.rowsOf.get(variant);
-    const some = Object.keys(names)
-      .map((column) => [names[column], rows.filter((each) => each.column === column).length])
-      .filter(([, number]) => number > 0);
-    return some.length
-      ? [`${selection.run.variants[variant].label} ${some.map((s) => s.reverse().join(" ")).join(", ")}`]
-      : [];
-  });
-  return parts.length ? `Left out of denominators: ${parts.join("; ")}.` : "";
-}
-
-/** Times (ns), ascending, at which `rows` were solved to an accuracy. */
-function solvedTimes(run, rows, accuracy) {
-  return rows.filter(({ row }) => judge(run, row, accuracy).verdict === "solved" &&
-                                  row.median_ns !== null)
-    .map(({ row }) => row.median_ns).sort((a, b) => a - b);
-}
-
-/** Letter, name and what is said of a curve; the middle of the name gives way where it is too long. */
-function labelOf({ mark, name, tail }, room) {
-  const letters = Math.floor(room / 6.1) - tail.length - mark.letter.length - 3;
-  const half = Math.floor((letters - 1) / 2);
-  const fitting = name.length > letters ? `${name.slice(0, letters - 1 - half)}…${name.slice(-half)}`
-                                        : name;
-  return `${mark.letter} ${fitting}: ${tail}`.trim();
-}
-
-/** Curves of shares on a logarithmic axis, labelled at their right ends. */
-export function drawCurves({ curves, width, title, subtitle, x, xLabel, yLabel, height = 380 }) {
-  const room = labelRoom(width);
-  const head = headHeight(width, subtitle) + 18;
-  const tall = Math.max(height, roomFor(curves.length) + 70);
-  const points = curves.flatMap((curve) => curve.points.map(([px, py]) => ({ px, py, curve })));
-  const plot = Plot.plot({
-    width: width - room, height: tall, marginLeft: 52, marginBottom: 40, marginTop: 8, marginRight: 6,
-    x: { type: "log", label: null, ...x },
-    y: { domain: [0, 1], label: null, tickFormat: (share) => percent(share) },
-    marks: [
-      Plot.gridX(x.ticks, { stroke: "#e4e4e4", strokeOpacity: 1 }),
-      Plot.gridY({ stroke: "#e4e4e4", strokeOpacity: 1 }),
-      Plot.ruleY([0], { stroke: "#666" }),
-      ...curves.map((curve) => Plot.line(curve.points, {
-        x: (p) => p[0], y: (p) => p[1], curve: "step-after", stroke: curve.mark.colour,
-        strokeWidth: 1.9, strokeDasharray: curve.mark.dash === "none" ? null : curve.mark.dash,
-        title: () => `${curve.name}: ${curve.tail}` })),
-    ],
-  });
-  const scale = plot.scale("y");
-  const ends = curves.map((curve) => ({ y: scale.apply(curve.points.at(-1)?.[1] ?? 0) + head,
-                                        mark: curve.mark, words: labelOf(curve, room - 50) }));
-  return points.length === 0 ? null : sheet({
-    width, height: head + tall, title, subtitle,
-    parts: [
-      placed(plot, 0, head),
-      text(0, head - 4, yLabel, { fill: "#444" }),
-      text(width - room - 6, head + tall - 6, xLabel, { fill: "#444", "text-anchor": "end" }),
-      endLabels(ends, width - room - 4, head + 8, head + tall - 42),
-    ],
-  });
-}
-
-/** Steps of a cumulative distribution from `from` to `to`: [x, share]. */
-function steps(values, total, from, to) {
-  const points = [[from, 0]];
-  values.forEach((value, i) => points.push([value, (i + 1) / total]));
-  points.push([to, values.length / total]);
-  return points;
+/** Times (ns), ascending, of the solved among judged rows. */
+function solvedTimes(rows) {
+  return ascending(rows.filter(({ column, row }) => column === "success" && row.median_ns !== null)
+    .map(({ row }) => row.median_ns));
 }
 
 /** What curves of one solver look like, by accuracy from rough to fine. */
-const grey = { colour: "#999", dash: "none", symbol: "circle", letter: "" };
 const ramp = ["#c6dbef", "#9ecae1", "#6baed6", "#4a98c9", "#2e7ebc", "#1764ab", "#0f5291", "#084078",
               "#062d5a", "#000000"];
 
@@ -108,32 +38,29 @@ export function withinTimeSection(selection, marks, widths) {
   const draw = (width) => {
     chooser();
     const { run } = selection;
-    const variants = selection.variants();
-    const all = variants.map((v) => [v, counted(selection, v)]).filter(([, rows]) => rows.length > 0);
+    const all = countedAt(selection, selection.tolerance);
     const sets = one === "all"
-      ? all.map(([v, rows]) => ({ rows, accuracy: selection.tolerance, mark: marks[v],
-                                  name: run.variants[v].label }))
+      ? all.map(([v, rows]) => ({ rows, mark: marks[v], name: run.variants[v].label }))
       : run.tolerances.map((accuracy, i) => ({
-          rows: counted(selection, +one), accuracy, name: `to ${tolerance(accuracy)}`,
-          mark: { ...grey, colour: ramp[Math.min(i, ramp.length - 1)],
-                  dash: ["none", "6,3", "2,2"][i % 3] } }));
-    const times = sets.map((set) => solvedTimes(run, set.rows, set.accuracy));
+          rows: countedAt(selection, accuracy, [+one])[0]?.[1] ?? [], name: `to ${tolerance(accuracy)}`,
+          mark: { letter: "", look: { colour: ramp[Math.min(i, ramp.length - 1)], dash: i % 3 } } }));
+    const times = sets.map(({ rows }) => solvedTimes(rows));
     const every = times.flat();
     if (every.length === 0)
       return { nothing: "No instance is solved at this tolerance by a solver that is shown." };
     const from = Math.min(...every) / 1.2, to = Math.max(...every) * 1.2;
-    const curves = sets.map((set, i) => ({
-      mark: set.mark, points: steps(times[i], set.rows.length, from, to),
-      name: set.name, tail: `${times[i].length} of ${set.rows.length}` }));
-    const drawing = drawCurves({
-      curves, width, x: { domain: [from, to], ticks: logTicks([from, to]), tickFormat: duration },
+    const figure = curvesFigure({
+      curves: sets.map(({ rows, mark, name }, i) => ({
+        mark, name, points: steps(times[i], Math.max(rows.length, 1), from, to),
+        tail: `${times[i].length} of ${rows.length}` })),
+      width, x: { domain: [from, to], format: duration },
       title: `Solved within a time: ${selection.title()}`,
-      subtitle: (one === "all"
+      caption: (one === "all"
         ? `Share of instances solved to ${tolerance(selection.tolerance)} within the time. `
         : `${run.variants[+one].label}: share of instances solved to each accuracy. `)
         + leftOut(selection),
       xLabel: "time of one solve", yLabel: "share of the instances that count" });
-    return { drawing, numbers: timeToReach(selection, all) };
+    return { figure, numbers: timeToReach(selection) };
   };
   const part = chartSection({
     id: "cumulative", heading: "Solved within a time", widths, selection, choices: [place], draw,
@@ -145,14 +72,15 @@ export function withinTimeSection(selection, marks, widths) {
 }
 
 /** Time within which half, and nine in ten, of the instances are solved to each accuracy. */
-function timeToReach(selection, all) {
+function timeToReach(selection) {
   const { run } = selection;
+  const byAccuracy = run.tolerances.map((accuracy) => new Map(countedAt(selection, accuracy)));
   return numbersTable(
     ["time to solve 50 % / 90 % to", ...run.tolerances.map(tolerance)],
-    all.map(([v, rows]) => ({
+    selection.variants().map((v) => ({
       attributes: { "data-solver": run.variants[v].solver },
-      cells: [run.variants[v].label, ...run.tolerances.map((accuracy) => {
-        const times = solvedTimes(run, rows, accuracy);
+      cells: [run.variants[v].label, ...byAccuracy.map((counted) => {
+        const rows = counted.get(v) ?? [], times = solvedTimes(rows);
         const reach = (p) => duration(times[Math.max(Math.ceil(p * rows.length), 1) - 1] ?? null);
         return `${reach(0.5)} / ${reach(0.9)}`;
       })] })));
@@ -182,41 +110,32 @@ export function accuracySection(selection, marks, widths) {
       limit, (value) => { limit = value; part.redraw(); }));
     const most = limit === "none" ? Infinity : +limit;
     const lowest = 1e-17, highest = 1e-2;
-    const curves = selection.variants().map((v) => [v, counted(selection, v)])
-      .filter(([, rows]) => rows.length > 0)
-      .map(([v, rows]) => {
-        const reached = rows
-          .filter(({ row }) => row.claim === "solved" && row.accuracy && row.median_ns <= most &&
-                               row.accuracy.residual <= highest)
-          .map(({ row }) => Math.max(row.accuracy.residual, lowest)).sort((a, b) => a - b);
-        const points = steps(reached, rows.length, lowest, highest);
-        const good = reached.filter((r) => r <= selection.tolerance).length;
-        return { v, mark: marks[v], points, good, all: rows.length,
-                 name: run.variants[v].label,
-                 tail: `${good} of ${rows.length}` };
-      });
+    const curves = countedAt(selection, selection.tolerance).map(([v, rows]) => {
+      const reached = ascending(rows
+        .filter(({ row }) => row.claim === "solved" && row.accuracy && row.median_ns <= most)
+        .map(({ row }) => row.accuracy.residual));
+      const within = (residual) => `${reached.filter((r) => r <= residual).length} of ${rows.length}`;
+      return { v, within, mark: marks[v], name: run.variants[v].label, tail: within(selection.tolerance),
+               points: steps(reached.filter((r) => r <= highest).map((r) => Math.max(r, lowest)),
+                             rows.length, lowest, highest) };
+    });
     if (curves.length === 0) return { nothing: "No row counts here." };
-    const drawing = drawCurves({
+    const figure = curvesFigure({
       curves, width,
-      x: { domain: [lowest, highest], ticks: logTicks([lowest, highest]).filter((_, i) => i % 2 === 1), tickFormat: power },
+      x: { domain: [lowest, highest], format: power,
+           ticks: logTicks([lowest, highest]).filter((_, i) => i % 2 === 1) },
       title: `Accuracy reached ${limit === "none" ? "at any time" : `within ${duration(most)}`}: ${
         selection.title()}`,
-      subtitle: `Share of instances whose answer has at most this residual and is claimed as solved; at `
+      caption: `Share of instances whose answer has at most this residual and is claimed as solved; at `
         + `the right how many reach ${tolerance(selection.tolerance)}. ` + leftOut(selection),
       xLabel: "natural residual (scaled); more digits to the left",
       yLabel: "share of the instances that count" });
-    const levels = run.tolerances;
     const numbers = numbersTable(
-      ["share with a residual of at most", ...levels.map(tolerance)],
-      curves.map((curve) => ({
-        attributes: { "data-solver": run.variants[curve.v].solver },
-        cells: [run.variants[curve.v].label, ...levels.map((level) => {
-          const rows = counted(selection, curve.v);
-          const good = rows.filter(({ row }) => judge(run, row, level).verdict === "solved" &&
-                                                row.median_ns <= most).length;
-          return `${good} of ${rows.length}`;
-        })] })));
-    return { drawing, numbers };
+      ["share with a residual of at most", ...run.tolerances.map(tolerance)],
+      curves.map(({ v, within }) => ({
+        attributes: { "data-solver": run.variants[v].solver },
+        cells: [run.variants[v].label, ...run.tolerances.map(within)] })));
+    return { figure, numbers };
   };
   const part = chartSection({
     id: "accuracy", heading: "Accuracy reached in a given time", widths, selection, choices: [place],

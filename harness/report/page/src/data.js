@@ -33,8 +33,6 @@ function rowOf(raw, index) {
     verdict: raw.verdicts[get("verdict")].name,
     claim: get("claim"),
     message: raw.strings[get("message")],
-    unclaimed: get("unclaimed"),
-    trivial: get("trivial"),
     tolerance: number(get("tolerance")),
     signal: get("signal"),
     stderr: raw.strings[get("stderr")],
@@ -64,13 +62,19 @@ export function decode(raw) {
   const tolerances = raw.table.tolerances.map((entry) => entry.tolerance);
   const own = raw.table.tolerances.find((entry) => entry.own);
   const corpora = [...new Set(raw.instances.map((instance) => instance.corpus))];
+  const { kinds, at: judgedAt } = raw.judgements;
   return {
     ...raw,
     rows,
     corpora,
     tolerances,
     ownTolerance: own ? own.tolerance : null,
-    columnOf: new Map(raw.verdicts.map((verdict) => [verdict.name, verdict.column])),
+    /** Rows with what the program's judge says of them at a tolerance: {verdict, column, unclaimed,
+     *  counted, row}. Columns are those of the table; `counted` rows are the denominator of shares. */
+    judgedAt: (tolerance) => {
+      const list = judgedAt[tolerances.indexOf(tolerance)];
+      return rows.map((row) => ({ ...kinds[at(list, row.index)], row }));
+    },
     tableRows: (tolerance) => tableRows(raw.table, tolerances.indexOf(tolerance)),
   };
 }

@@ -1,45 +1,50 @@
 // Performance profiles (Dolan and More): share of instances that a solver solves within a factor of
-// the best solver of each.
+// the best solver of each, as harness/studies/sheet/sheet.h defines them.
 
 import { chartSection, numbersTable } from "./chart_section.js";
-import { drawCurves, leftOut } from "./cumulative.js";
+import { curvesFigure, leftOut, steps } from "./curves.js";
 import { select } from "./dom.js";
-import { counts } from "./judge.js";
-import { logTicks, percent, tolerance } from "./numbers.js";
+import { percent, tolerance } from "./numbers.js";
+import { ascending } from "./quantile.js";
 
+/** The measures; `offset` is added to both parts of a ratio, since counts may be 0. */
 export const measures = {
-  time: { name: "time", of: (row) => row.median_ns },
-  pivots: { name: "pivots", of: (row) => row.work.pivots },
-  nodes: { name: "nodes", of: (row) => row.work.nodes },
-  factorisations: { name: "factorisations", of: (row) => row.work.factorisations },
+  time: { name: "time", of: (row) => row.median_ns ?? Infinity, offset: 0 },
+  pivots: { name: "pivots", of: (row) => row.work.pivots, offset: 1 },
+  nodes: { name: "nodes", of: (row) => row.work.nodes, offset: 1 },
+  factorisations: { name: "factorisations", of: (row) => row.work.factorisations, offset: 1 },
 };
+
+/** Registry rows of which some pair brought an answer and none counted any work (a sweep is no pivot). */
+function rowsWithout(run, measure) {
+  if (measure.offset === 0) return new Set();
+  const rowOf = (row) => run.variants[row.variant].row;
+  const worked = new Set(run.rows.filter((row) => measure.of(row) > 0).map(rowOf));
+  return new Set(run.rows.filter((row) => row.accuracy && row.verdict !== "unsupported").map(rowOf)
+    .filter((row) => !worked.has(row)));
+}
 
 /**
  * Ratios to the best of `variants` on each instance: {variant, counted, ratios}, ratios of the solved
- * ascending. A count of 0 stands as 1, so that ratios exist. Variants whose measure is 0 wherever they
- * solve do not count it (a sweep is no pivot); they take no part and are in `without`.
+ * ascending. Variants that do not count the measure take no part and are in `without`.
  */
 export function profiles(selection, variants, measure) {
-  const solvedOf = (v) => selection.rowsOf.get(v).filter((each) => each.column === "success");
-  const counting = (v) => {
-    const solved = solvedOf(v);
-    return solved.length === 0 || solved.some((each) => measure.of(each.row) > 0);
-  };
-  const taking = variants.filter(counting);
-  const cost = (each) => Math.max(measure.of(each.row), 1);
+  const { run } = selection;
+  const absent = rowsWithout(run, measure);
+  const isAbsent = (v) => absent.has(run.variants[v].row);
+  const solved = (v) => selection.rowsOf.get(v).filter((each) => each.column === "success");
+  const taking = variants.filter((v) => !isAbsent(v));
   const best = new Map();
-  for (const v of taking)
-    for (const each of solvedOf(v)) {
-      const { instance } = each.row;
-      best.set(instance, Math.min(best.get(instance) ?? Infinity, cost(each)));
-    }
+  for (const { row } of taking.flatMap(solved))
+    best.set(row.instance, Math.min(best.get(row.instance) ?? Infinity, measure.of(row)));
+  const ratio = ({ row }) =>
+    (measure.of(row) + measure.offset) / (best.get(row.instance) + measure.offset);
   return {
-    without: variants.filter((v) => !counting(v)),
+    without: variants.filter(isAbsent),
     curves: taking.map((variant) => ({
       variant,
-      counted: selection.rowsOf.get(variant).filter((each) => counts(each.column)).length,
-      ratios: solvedOf(variant).map((each) => cost(each) / best.get(each.row.instance))
-        .sort((a, b) => a - b),
+      counted: selection.rowsOf.get(variant).filter((each) => each.counted).length,
+      ratios: ascending(solved(variant).map(ratio).filter(Number.isFinite)),
     })).filter((curve) => curve.counted > 0),
   };
 }
@@ -55,24 +60,20 @@ export function profileSection(selection, marks, widths) {
     if (curves.every((curve) => curve.ratios.length === 0))
       return { nothing: "No instance is solved at this tolerance by a solver that counts this." };
     const most = Math.max(2, ...curves.map((curve) => curve.ratios.at(-1) ?? 1)) * 1.1;
-    const lines = curves.map(({ variant, counted, ratios }) => {
-      const points = [[1, ratios.filter((ratio) => ratio <= 1).length / counted]];
-      ratios.forEach((ratio, i) => { if (ratio > 1) points.push([ratio, (i + 1) / counted]); });
-      points.push([most, ratios.length / counted]);
-      const unsolved = counted - ratios.length;
-      return { points, mark: marks[variant], name: run.variants[variant].label,
-               tail: unsolved === 0 ? "all solved" : `${unsolved} of ${counted} unsolved` };
-    });
     const absent = without.length
       ? `Not here, since they count no ${measure.name}: ${
           without.map((v) => run.variants[v].label).join(", ")}. ` : "";
-    const drawing = drawCurves({
-      curves: lines, width,
-      x: { domain: [1, most], ticks: logTicks([1, most]), tickFormat: (ratio) => `${+ratio.toPrecision(3)}` },
+    const over = measure.offset ? "(c + 1) / (best + 1)" : "c / best";
+    const figure = curvesFigure({
+      curves: curves.map(({ variant, counted, ratios }) => ({
+        points: steps(ratios, counted, 1, most), mark: marks[variant],
+        name: run.variants[variant].label,
+        tail: counted === ratios.length ? "all solved" : `${counted - ratios.length} of ${counted} unsolved` })),
+      width, x: { domain: [1, most], format: (ratio) => `${+ratio.toPrecision(3)}` },
       title: `Performance profile by ${measure.name}: ${selection.title()}`,
-      subtitle: `Share of instances solved to ${tolerance(selection.tolerance)} within a factor of the `
-        + `best of the ${curves.length} solvers shown; unsolved is infinitely far from it. ${absent}${
-          leftOut(selection)}`,
+      caption: `Share of instances solved to ${tolerance(selection.tolerance)} within a factor of the `
+        + `best of the ${curves.length} solvers shown, ${over}; unsolved is infinitely far from it. ${
+          absent}${leftOut(selection)}`,
       xLabel: `${measure.name} over the least of all solvers shown, per instance`,
       yLabel: "share of the instances that count" });
     const numbers = numbersTable(
@@ -80,12 +81,12 @@ export function profileSection(selection, marks, widths) {
       curves.map(({ variant, counted, ratios }) => ({
         attributes: { "data-solver": run.variants[variant].solver, "data-counted": counted,
                       "data-best": ratios.filter((ratio) => ratio <= 1).length,
-                      "data-unsolved": counted - ratios.length },
+                      "data-unsolved": counted - ratios.length, "data-ratios": ratios.join(" ") },
         cells: [run.variants[variant].label,
                 ...marksOfRatio.map((mark) =>
                   percent(ratios.filter((ratio) => ratio <= mark).length / counted)),
                 counted - ratios.length, counted] })));
-    return { drawing, numbers };
+    return { figure, numbers };
   };
   const part = chartSection({
     id: "profile", heading: "Performance profile", widths, selection, draw,

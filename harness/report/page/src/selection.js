@@ -1,12 +1,9 @@
 // What the reader chose to see, and the rows that belong to it.
 
-import { judge } from "./judge.js";
-
 /** The corpus on whose instances solvers differ most: sum over instances of p (1 - p), p solved. */
 function mostTelling(run, tolerance) {
   const solved = new Map();
-  for (const row of run.rows) {
-    const { column } = judge(run, row, tolerance);
+  for (const { column, row } of run.judgedAt(tolerance)) {
     if (column === "unsupported" || column === "not_run") continue;
     const [good, all] = solved.get(row.instance) ?? [0, 0];
     solved.set(row.instance, [good + (column === "success" || column === "trivial"), all + 1]);
@@ -53,19 +50,22 @@ export class Selection {
     return this.corpus ?? "all corpora";
   }
 
-  /** Rows of the corpus, judged; of all variants, also hidden ones. */
-  refresh() {
+  /** Rows of the corpus as judged at a tolerance, by variant; of hidden variants too. */
+  rowsAt(tolerance) {
     const { run } = this;
-    this.rows = [];
-    this.rowsOf = new Map();
-    this.instances = new Set();
-    for (const row of run.rows) {
-      if (this.corpus !== null && run.instances[row.instance].corpus !== this.corpus) continue;
-      const judged = { ...judge(run, row, this.tolerance), row };
-      this.rows.push(judged);
-      this.instances.add(row.instance);
-      if (!this.rowsOf.has(row.variant)) this.rowsOf.set(row.variant, []);
-      this.rowsOf.get(row.variant).push(judged);
+    const rowsOf = new Map();
+    for (const judged of run.judgedAt(tolerance)) {
+      const { instance, variant } = judged.row;
+      if (this.corpus !== null && run.instances[instance].corpus !== this.corpus) continue;
+      if (!rowsOf.has(variant)) rowsOf.set(variant, []);
+      rowsOf.get(variant).push(judged);
     }
+    return rowsOf;
+  }
+
+  refresh() {
+    this.rowsOf = this.rowsAt(this.tolerance);
+    this.rows = [...this.rowsOf.values()].flat().sort((a, b) => a.row.index - b.row.index);
+    this.instances = new Set(this.rows.map((each) => each.row.instance));
   }
 }

@@ -32,7 +32,6 @@ export function tableSection(selection, marks) {
   const { run } = selection;
   const place = new Map(run.variants.map((v, i) => [`${v.solver}\n${v.start}`, i]));
   const variantPlace = (row) => place.get(`${row.solver}\n${row.start}`);
-  const several = new Set(run.variants.map((v) => v.start)).size > 1;
   const blocks = element("div", { class: "scroll", tabindex: 0 });
   const meanings = element("dl", { class: "meanings" });
   const note = element("p", { class: "explanation" });
@@ -42,8 +41,7 @@ export function tableSection(selection, marks) {
     const rows = all.filter((row) => (selection.corpus === null || row.corpus === selection.corpus) &&
                                      selection.shown(variantPlace(row)));
     const columns = run.table.columns.filter((column) =>
-      (several || !column.of_starts) &&
-      (column.always || all.some((row) => (row[column.key] ?? 0) !== 0)));
+      !column.only_if_any || all.some((row) => (row[column.key] ?? 0) !== 0));
     const corpora = [...new Set(rows.map((row) => row.corpus))];
     blocks.replaceChildren(...corpora.map((corpus) =>
       block(corpus, rows.filter((row) => row.corpus === corpus), columns, variantPlace, marks)));

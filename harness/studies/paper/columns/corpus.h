@@ -1,12 +1,13 @@
 #pragma once
 
 #include <atomic>
-#include <functional>
+#include <filesystem>
 #include <optional>
 #include <string>
 #include <vector>
 
-#include "harness/measure/runner.h"
+#include "harness/judge/acceptance.h"
+#include "harness/record.h"
 #include "harness/studies/paper/columns/paper_directory.h"
 
 namespace lcp {
@@ -33,7 +34,36 @@ std::optional<ScenesCorpus> find_corpus(const PaperDirectory& directory,
 /// there when it is complete; what stands there without corpus.json, which is written last, is
 /// removed. Throws std::runtime_error when the driver crashed.
 void dump_corpus(const PaperDirectory& directory, const CorpusQuestion& question,
-                 const std::function<void(const Progress&)>& progress,
                  const std::atomic<bool>& interrupted);
+
+/// Which solvers are to have rows on a corpus.
+struct CorpusRun {
+  std::vector<std::string> solvers;  ///< Full spellings.
+  int samples = 1;                   ///< Timed repetitions of a solved pair.
+};
+
+/// How many solvers lack rows on the parts of the corpus, in all.
+std::size_t missing_rows(const PaperDirectory& directory, const ScenesCorpus& corpus,
+                         const CorpusRun& run);
+
+/// Runs the pairs that have no row yet, a file of the corpus at a time, so that little is forked:
+/// frictional LCPs in two steps, frictionless ones (which cannot be) cold. Then reads the rows of
+/// run.solvers. When `interrupted`, returns those that are there. Throws as run_into does.
+std::vector<Record> run_on_corpus(const PaperDirectory& directory, const ScenesCorpus& corpus,
+                                  const CorpusRun& run, const std::atomic<bool>& interrupted);
+
+/// What one solver did on one corpus of a scene (SCENE, SCENE+composite, SCENE+joint-space).
+struct CorpusColumn {
+  std::string corpus, solver;
+  /// By the keys of paper_quantities, of the frictional LCPs: those of `lcpbench table`, the trivial in
+  /// `success` as in the loop; total_pivots, lcp_time_ms (mean over frames of the median time, both
+  /// steps), frictionless_failures (in CORPUS+frictionless, solved cold) and both_failures (frames
+  /// where both failed).
+  nlohmann::json values;
+};
+
+/// A column per frictional corpus and solver, in order of first appearance, counted by a criterion.
+std::vector<CorpusColumn> corpus_columns(const std::vector<Record>& rows,
+                                         const Acceptance& acceptance);
 
 }  // namespace lcp

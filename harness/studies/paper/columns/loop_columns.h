@@ -2,12 +2,10 @@
 
 #include <atomic>
 #include <filesystem>
-#include <functional>
 #include <optional>
 #include <vector>
 
 #include "harness/studies/loop/summary.h"
-#include "harness/measure/runner.h"
 #include "harness/studies/paper/columns/paper_directory.h"
 
 namespace lcp {
@@ -44,13 +42,16 @@ std::filesystem::path loop_file(const LoopQuestion& question);
 std::optional<LoopColumn> read_loop_column(const PaperDirectory& directory,
                                            const LoopQuestion& question);
 
-/// Answers questions by simulation, each in a process of its own, `jobs` at a time; a column is in
-/// its file as soon as it is finished. A solver that crashes, throws or takes more than `silence` for
-/// one step makes a column without frames whose summary says so. Throws as run_children does.
+/// The questions without an answer, each once; null is a directory that is not there.
+std::vector<LoopQuestion> open_questions(const PaperDirectory* directory,
+                                         const std::vector<LoopQuestion>& questions);
+
+/// Answers the questions that are open by simulation, each in a process of its own, how.jobs at a time;
+/// a column is in its file as soon as it is finished. A solver that crashes, throws or takes more than
+/// two minutes for one step makes a column without frames whose summary says so. Throws as run_children
+/// does.
 void compute_loop_columns(const PaperDirectory& directory,
-                          const std::vector<LoopQuestion>& questions, int jobs,
-                          const std::function<void(const Progress&)>& progress,
-                          const std::atomic<bool>& interrupted,
-                          std::chrono::nanoseconds silence = std::chrono::minutes(2));
+                          const std::vector<LoopQuestion>& questions,
+                          const std::atomic<bool>& interrupted);
 
 }  // namespace lcp

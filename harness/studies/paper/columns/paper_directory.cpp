@@ -2,13 +2,14 @@
 
 #include <fcntl.h>
 #include <fmt/format.h>
-#include <sys/file.h>
 
 #include <cerrno>
+#include <cmath>
 #include <cstring>
 #include <fstream>
+#include <memory>
+#include <set>
 #include <stdexcept>
-#include <vector>
 
 #include "harness/measure/environment.h"
 #include "problems/io/errors.h"
@@ -20,6 +21,8 @@ namespace {
 
 namespace fs = std::filesystem;
 using nlohmann::json;
+
+constexpr auto silence = std::chrono::minutes(2);  ///< A step may last.
 
 /// Held until the descriptor is closed. Child processes do not inherit it.
 FileDescriptor lock(const fs::path& directory) {
@@ -35,54 +38,86 @@ FileDescriptor lock(const fs::path& directory) {
   return file;
 }
 
-std::vector<json> environments(const fs::path& directory) {
-  std::vector<json> found;
-  for (const fs::directory_entry& entry : fs::directory_iterator(directory)) {
-    if (!entry.path().filename().string().starts_with("env-")) continue;
-    if (entry.path().extension() != ".json") continue;
-    found.push_back(read_json_file(entry.path()));
-    if (!found.back().is_object() || !found.back().contains("commit"))
-      throw UnreadableInput(fmt::format("{}: field 'commit' is missing", entry.path().string()));
-  }
-  return found;
-}
-
 }  // namespace
 
-json read_json_file(const fs::path& path) {
-  std::ifstream stream(path);
-  if (!stream) throw UnreadableInput(fmt::format("{}: cannot be read", path.string()));
-  try {
-    return json::parse(stream);
-  } catch (const json::exception& error) {
-    throw UnreadableInput(fmt::format("{}: {}", path.string(), error.what()));
-  }
-}
-
-PaperDirectory::PaperDirectory(const fs::path& path, int jobs,
-                               const std::function<void(const std::string&)>& note)
-    : path_(path), environment_(describe_environment(jobs)) {
-  make_directories(path_);
-  for (const json& begun : environments(path_))
-    if (begun.at("commit") != environment_.at("commit"))
-      throw std::invalid_argument(fmt::format(
-          "{} was begun by commit {}, this program is {}: move {} away, or name another directory "
-          "with --out",
-          path_.string(), begun.at("commit").get<std::string>(),
-          environment_.at("commit").get<std::string>(), path_.string()));
-  lock_ = lock(path_);
-  remove_unfinished(path_);
+PaperDirectory::PaperDirectory(const Reproduction& asked)
+    : how(asked), environment_(describe_environment(how.jobs)) {
+  // Run directories repeat what they note.
+  how.note = [note = asked.note,
+              told = std::make_shared<std::set<std::string>>()](const std::string& line) {
+    if (told->insert(line).second) note(line);
+  };
+  make_directories(path());
+  for (const fs::directory_entry& entry : fs::directory_iterator(path()))
+    if (entry.path().filename().string().starts_with("env-")) read(entry.path());
+  lock_ = lock(path());
+  remove_unfinished(path());
   if (environment_.at("dirty") == true)
-    note("built from a changed tree: columns of different code cannot be told apart");
-  const fs::path file = path_ / fmt::format("env-{}.json", environment_id());
+    how.note("built from a changed tree: columns of different code cannot be told apart");
+  const fs::path file = path() / fmt::format("env-{}.json", environment_id());
   if (!fs::exists(file)) replace_file(file.string(), environment_.dump(1) + "\n");
 }
 
 PaperDirectory::~PaperDirectory() {
   try {
-    remove_unfinished(path_);
+    remove_unfinished(path());
   } catch (const std::exception&) {  // the next session does it
   }
+}
+
+json PaperDirectory::read(const fs::path& file, const json& question) const {
+  std::ifstream stream(file);
+  try {
+    if (!stream) throw std::invalid_argument("cannot be read");
+    json object = json::parse(stream);
+    const json& stored = question.is_null() ? question : object.at("question");
+    if (object.at("commit") == commit() && stored == question) return object;
+    throw std::domain_error(fmt::format(
+        "{} is of commit {}{}, this program is {}{}: move {} away, or name another directory with "
+        "--out",
+        file.string(), object.at("commit").get<std::string>(),
+        question.is_null() ? "" : " and " + stored.dump(), commit(),
+        question.is_null() ? "" : " and asks for " + question.dump(), path().string()));
+  } catch (const std::domain_error& error) {
+    throw std::invalid_argument(error.what());
+  } catch (const std::exception& error) {
+    throw UnreadableInput(fmt::format("{}: {}", file.string(), error.what()));
+  }
+}
+
+void simulate_all(const PaperDirectory& directory, const std::vector<SimulatedTask>& tasks,
+                  int jobs, const std::atomic<bool>& interrupted) {
+  Progress state;
+  std::vector<ChildTask> work;
+  std::vector<std::size_t> beats(tasks.size(), 0);
+  for (const SimulatedTask& task : tasks) {
+    work.push_back(task.work);
+    state.total += task.steps;
+  }
+  run_children(
+      work, jobs, silence,
+      [&](const ChildEnd& end) {
+        state.done += tasks[end.task].steps - beats[end.task];  // those that it did not come to
+        if (!end.failure.empty()) tasks[end.task].failed(end.failure);
+      },
+      [&](std::size_t task) {
+        if (beats[task] == tasks[task].steps) return;
+        ++beats[task];
+        ++state.done;
+        state.at = tasks[task].name;
+        directory.how.progress(state);
+      },
+      interrupted);
+}
+
+NamedScene scene_lasting(const std::string& spelling, const std::optional<double>& duration) {
+  NamedScene scene = make_scene(spelling);
+  if (duration) scene.setup.duration = *duration;
+  return scene;
+}
+
+std::size_t steps_of(const NamedScene& scene) {
+  return static_cast<std::size_t>(std::lround(scene.setup.duration / scene.setup.stepping.dt));
 }
 
 }  // namespace lcp

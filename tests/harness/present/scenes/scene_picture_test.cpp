@@ -3,16 +3,14 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <set>
 #include <sstream>
 #include <stdexcept>
 
 #include "harness/present/scenes/scene_bodies.h"
-#include "harness/present/scenes/scene_panels.h"
 #include "problems/io/errors.h"
 #include "problems/rigid/kinematics.h"
-#include "tests/harness/studies/paper/pictured_run.h"
 #include "tests/harness/present/scenes/xml.h"
+#include "tests/harness/studies/paper/pictured_run.h"
 #include "tests/harness/temporary_directory.h"
 
 namespace lcp {
@@ -46,58 +44,100 @@ std::size_t count(const std::string& text, const std::string& part) {
   return found;
 }
 
-TEST(ScenePicture, HasAPanelPerTimeWithEveryBodyAndEveryArrow) {
+/// Four corners each.
+std::vector<Rows> floors(const std::vector<Rows>& sets) {
+  std::vector<Rows> all;
+  for (std::size_t k = 0; k + 3 < sets[0].size(); k += 4)
+    all.emplace_back(sets[0].begin() + k, sets[0].begin() + k + 4);
+  return all;
+}
+
+TEST(ScenePicture, HasAPanelPerTimeWithEveryArrow) {
   const PicturedRun squat = pictured("squat:swing=1", 0.06, {0, 0.03, 0.06});
   ASSERT_EQ(squat.snapshots.size(), 3u);
-  const std::vector<Rows> sets = data_sets(ScenePanels(squat.scene, squat.snapshots, {}).data());
-  ASSERT_EQ(sets.size(), 3 * ScenePanels::sets_per_panel);
-  const std::size_t bodies = scene_bodies(squat.scene.setup).size();
-  std::size_t arrows = 0;
-  for (std::size_t panel = 0; panel < 3; ++panel) {
-    const std::size_t set = ScenePanels::sets_per_panel * panel;
-    std::set<double> shadows, surfaces;
-    for (const auto& row : sets[set]) shadows.insert(row[3]);
-    for (const auto& row : sets[set + 2]) surfaces.insert(row[3]);
-    EXPECT_EQ(shadows.size(), bodies);
-    EXPECT_EQ(surfaces.size(), bodies);
-    const std::vector<Snapshot::Touch>& touches = squat.snapshots[panel].touches;
-    if (touches.empty()) continue;  // the first frame touches nothing yet
-    ASSERT_EQ(sets[set + 3].size(), touches.size());
-    for (std::size_t i = 0; i < touches.size(); ++i) {
-      const auto& row = sets[set + 3][i];
-      if (row[4] == 0) continue;
-      EXPECT_NEAR(row[4], touches[i].force.norm(), 1e-4 * row[4]);
-      EXPECT_GT(row[3], 0) << "the floor pushes up";
+  const GnuplotPage page = scene_page("", {{&squat.scene, squat.snapshots}});
+  for (const char* time : {"'0.000 s'", "'0.030 s'", "'0.059 s'"})
+    EXPECT_EQ(count(page.commands, time), 1u) << time;
+  const std::vector<Rows> sets = data_sets(page.data);
+  ASSERT_EQ(sets.size(), scene_page_sets);
+  EXPECT_EQ(floors(sets).size(), 3u);
+  std::size_t row = 0, arrows = 0;
+  for (const Snapshot& snapshot : squat.snapshots)
+    for (const Snapshot::Touch& touch : snapshot.touches) {
+      ASSERT_LT(row, sets[2].size());
+      const std::vector<double>& contact = sets[2][row++];
+      if (contact[4] == 0) continue;
+      EXPECT_NEAR(contact[4], touch.force.norm(), 1e-4 * contact[4]);
+      EXPECT_GT(contact[3], 0) << "the floor pushes up";
       ++arrows;
     }
-  }
+  EXPECT_EQ(row, sets[2].size());
   EXPECT_GE(arrows, 4u);
 }
 
-TEST(ScenePicture, IsWellFormedAndDrawnWithScriptAndDataBesideIt) {
+TEST(ScenePicture, IsWellFormedAndDrawnWithScriptDataAndImageBesideIt) {
   const TemporaryDirectory directory;
   const PicturedRun squat = pictured("squat", 0.06, {0, 0.03, 0.06});
   draw_picture(squat.scene, squat.snapshots, directory.file("squat.svg"));
   const std::string svg = read_text(directory.file("squat.svg"));
   EXPECT_EQ(complaint_about_xml(svg), "");
-  for (const char* words : {"0.000 s", "0.030 s", "0.059 s", " N<", "grid: 0.1 m"})
+  for (const char* words : {"0.000 s", "0.030 s", "0.059 s", " N<", "grid: 0.1 m", "<image "})
     EXPECT_EQ(count(svg, words), 1u) << words;
-  const std::size_t polygons = count(read_text(directory.file("squat.dat")), "\n\n");
-  EXPECT_GT(polygons, 1000u);
-  EXPECT_GT(count(svg, "<polygon fill"), polygons * 9 / 10);
-  EXPECT_NE(read_text(directory.file("squat.gp")).find("DATA = 'squat.dat'"), std::string::npos);
+  EXPECT_EQ(count(svg, "xlink:href='data:image/png;base64,"), 1u) << "the bodies are in the file";
+  const std::string script = read_text(directory.file("squat.gp"));
+  EXPECT_NE(script.find("DATA = 'squat.dat'"), std::string::npos);
+  EXPECT_NE(script.find("IMAGE = 'squat.png'"), std::string::npos);
+  EXPECT_TRUE(read_text(directory.file("squat.png")).starts_with("\x89PNG"));
 }
 
 TEST(ScenePicture, EveryPanelHasTheSameScale) {
   const PicturedRun squat = pictured("squat", 0.06, {0, 0.03, 0.06});
-  const std::string script = ScenePanels(squat.scene, squat.snapshots, {}).script(900, 400);
-  EXPECT_EQ(count(script, "set xrange"), 2u) << "one for the panels, one for the legend";
+  const std::vector<Rows> sets = data_sets(scene_page("", {{&squat.scene, squat.snapshots}}).data);
+  const std::vector<Rows> panels = floors(sets);
+  ASSERT_EQ(panels.size(), 3u);
+  for (const Rows& floor : panels)
+    for (std::size_t k = 0; k < 4; ++k)
+      for (std::size_t axis = 0; axis < 2; ++axis)
+        EXPECT_NEAR(floor[k][axis] - floor[0][axis], panels[0][k][axis] - panels[0][0][axis], 0.02);
+  EXPECT_GT(panels[1][0][0], panels[0][1][0]) << "side by side";
+  EXPECT_NEAR(panels[1][0][1], panels[0][0][1], 1e-9);
+  const auto drawn = [](const std::vector<double>& row) { return std::hypot(row[2], row[3]); };
+  double least = 1e9, most = 0;
+  for (const auto& row : sets[2]) {
+    if (row[4] == 0) continue;
+    least = std::min(least, drawn(row) / row[4]);
+    most = std::max(most, drawn(row) / row[4]);
+  }
+  EXPECT_LT(most / least, 1.5) << "arrows lean, but no more than friction lets them";
 }
 
-TEST(ScenePicture, LinksWithoutAShapeAreBones) {
-  NamedScene scene = make_scene("squat");
-  scene.setup.shapes.clear();
-  EXPECT_EQ(scene_bodies(scene.setup).size(), 24u) << "20 to the children's joints, 4 at the ends";
+TEST(ScenePicture, NamesThatGnuplotWouldRunAreHarmless) {
+  const TemporaryDirectory directory;
+  PicturedRun squat = pictured("squat", 0.03, {0.02});
+  squat.scene.spelling = "squat`touch run`'\nexit\n'";
+  const SceneMoments moments{
+      .scene = &squat.scene, .snapshots = squat.snapshots, .name = "`touch run`'"};
+  draw_with_gnuplot(directory.file("squat.svg"), scene_page("`touch run`\nexit", {moments}));
+  EXPECT_FALSE(std::filesystem::exists(directory.file("run")));
+  const std::string svg = read_text(directory.file("squat.svg"));
+  EXPECT_EQ(complaint_about_xml(svg), "");
+  EXPECT_NE(svg.find("squat?touch run??"), std::string::npos);
+}
+
+TEST(ScenePicture, ScenesLieBelowOneAnotherAndLeaveWhatIsAskedForAtTheFoot) {
+  const PicturedRun squat = pictured("squat", 0.03, {0.01, 0.02});
+  SceneMoments moments{&squat.scene, squat.snapshots};
+  const GnuplotPage one = scene_page("", {moments}), two = scene_page("", {moments, moments}, 100);
+  EXPECT_GT(two.height, 2 * one.height + 100);
+  EXPECT_EQ(two.width, one.width);
+  const std::vector<Rows> panels = floors(data_sets(two.data));
+  ASSERT_EQ(panels.size(), 4u);
+  EXPECT_GT(panels[0][0][1], panels[2][0][1] + 100) << "y is up";
+  for (const auto& row : panels[3]) EXPECT_GT(row[1], 100);
+  moments.contacts = false;
+  const GnuplotPage plain = scene_page("", {moments});
+  EXPECT_LT(plain.height, one.height) << "no legend";
+  EXPECT_TRUE(std::isnan(data_sets(plain.data)[2].front()[0])) << "no contacts";
 }
 
 /// A chain of three capsules that hangs from the origin below a beam, without a floor.
@@ -130,20 +170,13 @@ Snapshot at_rest(const NamedScene& scene) {
 
 TEST(ScenePicture, WithoutAFloorShowsWhatHangsAndOfALongRodWhatIsNear) {
   const NamedScene scene = hanging_chain();
-  const ScenePanels panels(scene, {at_rest(scene)}, {});
-  const std::vector<Rows> sets = data_sets(panels.data());
+  const GnuplotPage page = scene_page("", {{&scene, {at_rest(scene)}}});
+  const std::vector<Rows> sets = data_sets(page.data);
   EXPECT_TRUE(std::isnan(sets[0].front()[0])) << "a floor";
   EXPECT_TRUE(std::isnan(sets[1].front()[0])) << "a grid";
-  Eigen::AlignedBox2d seen;
-  std::set<double> bodies;
-  for (const auto& row : sets[2]) {
-    seen.extend(Vector2d(row[0], row[1]));
-    bodies.insert(row[3]);
-  }
-  EXPECT_EQ(bodies.size(), 4u);
-  EXPECT_LT(seen.min().y(), -1.5) << "the end of the chain";
-  EXPECT_LT(seen.sizes().x(), 2) << "of 100 m of rod";
-  EXPECT_GT(seen.sizes().x(), 0.5);
+  // 1.5 m of chain fill the height of a panel, which 100 m of rod would be too wide for.
+  const SceneMoments narrow{.scene = &scene, .snapshots = {at_rest(scene)}, .most_width = 300};
+  EXPECT_GT(scene_page("", {narrow}).height, 300);
 }
 
 TEST(ScenePicture, NeighboursInAChainDifferInColour) {
@@ -151,32 +184,6 @@ TEST(ScenePicture, NeighboursInAChainDifferInColour) {
   ASSERT_EQ(bodies.size(), 4u);
   EXPECT_NE(bodies[1].colour, bodies[2].colour);
   EXPECT_EQ(bodies[1].colour, bodies[3].colour);
-}
-
-TEST(ScenePicture, AFloorIsTheHalfSpaceBelowZeroAndNoOther) {
-  SceneSetup setup = make_scene("squat").setup;
-  EXPECT_TRUE(has_floor(setup));
-  setup.shapes = {{.geometry = collision::HalfSpace{}}};
-  setup.shapes.front().in_link.p.z() = -1;
-  EXPECT_FALSE(has_floor(setup));
-  setup.shapes.front().in_link = {Eigen::AngleAxisd(0.1, Vector3d::UnitX()).matrix(), {0, 0, 0}};
-  EXPECT_FALSE(has_floor(setup));
-  EXPECT_EQ(scene_bodies(setup).size(), 24u) << "a slope is not drawn";
-}
-
-TEST(ScenePicture, WhatIsFixedInTheWorldStaysWhereItIs) {
-  NamedScene scene = make_scene("squat");
-  const Pose pose{Matrix3d::Identity(), {1, 2, 3}};
-  scene.setup.shapes = {{collision::Box{{1, 1, 1}}, Link::world, pose}};
-  EXPECT_EQ(scene_bodies(scene.setup).front().in_world(Snapshot{}).p, pose.p);
-}
-
-TEST(ScenePicture, OfABeamWhatIsNearARegionStaysInPlace) {
-  const collision::Shape beam{collision::Box{{100, 1, 1}}, Link::world, {Matrix3d::Identity(), {}}};
-  const collision::Shape near = near_part(beam, {Vector3d(10, -1, -1), Vector3d(14, 1, 1)});
-  EXPECT_NEAR((near.in_link.p - Vector3d(12, 0, 0)).norm(), 0, 1e-12);
-  EXPECT_NEAR(std::get<collision::Box>(near.geometry).edges.x(), 6, 1e-12) << "4 m, and 1 m around";
-  EXPECT_EQ(std::get<collision::Box>(near.geometry).edges.y(), 1);
 }
 
 TEST(ScenePicture, NothingHalfWrittenRemainsWithoutGnuplot) {

@@ -16,6 +16,13 @@ std::vector<SharePoint> column(const std::vector<Index>& solved, Index counted =
 
 using Kind = ShareLine::Kind;
 
+/// For tests whose columns cross twice, first: where two crossings were taken for one, the cells in
+/// question would end before they begin, and this column throws where others may end the program.
+void assert_that_two_crossings_are_several() {
+  ASSERT_EQ(find_line(column({8, 0, 4, 8})).kind, Kind::several);
+  ASSERT_EQ(find_line(column({0, 8, 4, 0})).kind, Kind::several);
+}
+
 TEST(WilsonInterval, IsThatOfNewcombesTable) {
   // R. G. Newcombe 1998, table I, method 3.
   const struct {
@@ -47,6 +54,26 @@ TEST(SideOf, IsDecidedWhereTheIntervalLeavesOutAHalf) {
   EXPECT_EQ(side_of({0, 2, 8}), ShareSide::open);
   EXPECT_EQ(side_of({0, 1, 8}), ShareSide::below);
   EXPECT_EQ(side_of({0, 0, 0}), ShareSide::open);
+}
+
+TEST(SideOf, IsDecidedExactlyWhereTheIntervalLeavesOutAHalf) {
+  EXPECT_EQ(side_of({0, 6, 7}), ShareSide::open);  // from 0.487
+  EXPECT_EQ(side_of({0, 1, 7}), ShareSide::open);  // to 0.513
+  for (Index n = 1; n <= 60; ++n)
+    for (Index k = 0; k <= n; ++k)
+      for (const double quantile : {normal_quantile, confirming_quantile}) {
+        const Interval interval = wilson_interval(k, n, quantile);
+        const ShareSide side = side_of({0, k, n}, quantile);
+        EXPECT_EQ(side == ShareSide::above, interval.low > 0.5) << k << " of " << n;
+        EXPECT_EQ(side == ShareSide::below, interval.high < 0.5) << k << " of " << n;
+      }
+}
+
+TEST(MonotoneFit, IsTheSameWhetherEqualNeighboursArePooledOrNot) {
+  // Shares of 1/3 in three cells; then one that pulls all of them along.
+  EXPECT_EQ(monotone_fit({{0, 1, 3}, {1, 2, 6}, {2, 3, 9}}, true), std::vector<double>(3, 1.0 / 3));
+  EXPECT_EQ(monotone_fit({{0, 1, 3}, {1, 2, 6}, {2, 0, 3}}, true), std::vector<double>(3, 0.25));
+  EXPECT_EQ(monotone_fit({{0, 2, 3}, {1, 4, 6}, {2, 3, 3}}, false), std::vector<double>(3, 0.75));
 }
 
 TEST(MonotoneFit, PoolsViolatorsWeightedByTheirDraws) {
@@ -83,6 +110,59 @@ TEST(FindLine, RisingIsFallingSeenFromTheOtherEnd) {
   EXPECT_DOUBLE_EQ(rising.high, 3 - falling.low);
 }
 
+TEST(FindLine, TakesTheDirectionThatFitsBetterDrawByDraw) {
+  // 0.6 of 20, 0.4 of 20 and 1 of 1, all open. Falling pools the last two to 3/7: 20/21 0.6^2 = 0.34.
+  // Rising pools the first two to 1/2: 20 0.1^2 + 20 0.1^2 = 0.4. Cell by cell it were 0.33 and 0.02.
+  const ShareLine line = find_line({{0, 12, 20}, {1, 8, 20}, {2, 1, 1}});
+  EXPECT_FALSE(line.rising);
+  EXPECT_EQ(line.kind, Kind::crossing);
+  EXPECT_DOUBLE_EQ(line.u, 0.1 / (0.6 - 3.0 / 7));
+}
+
+/// Where the line from v0 at 0 to v1 at 1 is 1/2.
+double half_between(double v0, double v1) { return (v0 - 0.5) / (v0 - v1); }
+
+TEST(FindLine, HasABandBetweenBoundsThatOtherCellsTighten) {
+  // Falling: cell 2's lower bound holds in cell 1 too, where it is above that cell's own.
+  const Interval all = wilson_interval(8, 8), more = wilson_interval(6, 8),
+                 half = wilson_interval(4, 8), less = wilson_interval(2, 8),
+                 none = wilson_interval(0, 8);
+  ASSERT_GT(more.low, half.low);
+  const ShareLine lower = find_line(column({8, 4, 6, 0}));
+  EXPECT_EQ(lower.kind, Kind::crossing);
+  EXPECT_DOUBLE_EQ(lower.low, half_between(all.low, more.low));
+  EXPECT_DOUBLE_EQ(lower.high, 2 + half_between(half.high, none.high));
+  // And cell 1's upper bound in cell 2.
+  const ShareLine upper = find_line(column({8, 2, 4, 0}));
+  EXPECT_EQ(upper.kind, Kind::crossing);
+  EXPECT_DOUBLE_EQ(upper.low, half_between(all.low, half.low));
+  EXPECT_DOUBLE_EQ(upper.high, 2 + half_between(less.high, none.high));
+}
+
+TEST(FindLine, HasABandFromTheLesserCrossingToTheGreaterWhereCellsContradict) {
+  // 0 of 3, then 50 of 50: what the first bounds from above, the second does from below, so that the
+  // upper curve crosses 1/2 before the lower one.
+  const Interval few = wilson_interval(0, 3), all = wilson_interval(50, 50),
+                 none = wilson_interval(0, 50);
+  const double of_upper = 1 + half_between(few.high, none.high),
+               of_lower = 1 + half_between(all.low, 0);
+  ASSERT_LT(of_upper, of_lower);
+  const ShareLine line = find_line({{0, 0, 3}, {1, 50, 50}, {2, 0, 50}});
+  EXPECT_EQ(line.kind, Kind::crossing);
+  EXPECT_DOUBLE_EQ(line.u, 1.5);
+  EXPECT_DOUBLE_EQ(line.low, of_upper);
+  EXPECT_DOUBLE_EQ(line.high, 1.5) << "widened to hold the line";
+}
+
+TEST(FindLine, AtAGridPointHasTheStepOnTheSideWhereMoreIsSolved) {
+  const ShareLine falling = find_line({{0, 8, 8}, {1, 4, 8}, {3, 0, 8}});
+  EXPECT_DOUBLE_EQ(falling.u, 1);
+  EXPECT_EQ(falling.step, 1);
+  const ShareLine rising = find_line({{0, 0, 8}, {1, 4, 8}, {3, 8, 8}});
+  EXPECT_DOUBLE_EQ(rising.u, 1);
+  EXPECT_EQ(rising.step, 2);
+}
+
 TEST(FindLine, TakesTheMiddleOfAStretchAtAHalf) {
   EXPECT_DOUBLE_EQ(find_line(column({8, 4, 4, 0})).u, 1.5);
   EXPECT_DOUBLE_EQ(find_line(column({8, 4, 0})).u, 1);
@@ -111,6 +191,7 @@ TEST(FindLine, LeavesOutCellsWithoutCountedDraws) {
 }
 
 TEST(FindLine, NamesEveryCrossingOfAShareThatIsNotMonotone) {
+  ASSERT_NO_FATAL_FAILURE(assert_that_two_crossings_are_several());
   const ShareLine line = find_line(column({8, 0, 4, 8, 0}));
   EXPECT_EQ(line.kind, Kind::several);
   EXPECT_EQ(line.crossings, (std::vector<double>{0.5, 2, 3.5}));
@@ -130,6 +211,7 @@ TEST(FindLine, DoesNotLetAnOpenCellOutvoteADecidedOne) {
 }
 
 TEST(FindLine, PutsTheLineInsideItsBandWhateverTheCounts) {
+  ASSERT_NO_FATAL_FAILURE(assert_that_two_crossings_are_several());
   for (Index a = 0; a <= 4; ++a)
     for (Index b = 0; b <= 12; b += 3)
       for (Index c = 0; c <= 8; ++c)
@@ -161,7 +243,19 @@ TEST(MoreWanted, AsksForTheCellThatContradictsTheFit) {
   EXPECT_EQ(more_wanted(line, dip, 0), (std::vector<bool>{false, true, false, false}));
 }
 
+TEST(MoreWanted, LetsCellsInsideTheBandContradictTheFit) {
+  // 3 and 5 of 8 are pooled to a half, with the line at 1.5: cell 1, to its left, has less than a half.
+  const std::vector<SharePoint> points = column({8, 3, 5, 0});
+  const ShareLine line = find_line(points);
+  ASSERT_DOUBLE_EQ(line.u, 1.5);
+  ASSERT_LT(line.low, 1);
+  ASSERT_GT(line.high, 2);
+  ASSERT_TRUE(settled(line, points, 3));
+  EXPECT_EQ(more_wanted(line, points, 3), std::vector<bool>(4, false));
+}
+
 TEST(MoreWanted, AsksToConfirmWhatMakesAShareCrossSeveralTimes) {
+  ASSERT_NO_FATAL_FAILURE(assert_that_two_crossings_are_several());
   // At 99.9 % 8 of 8 reach down to 8 / (8 + z^2) = 0.425, 16 of 16 to 0.596.
   const std::vector<SharePoint> few = column({8, 0, 8});
   EXPECT_EQ(find_line(few).kind, Kind::several);
@@ -199,6 +293,7 @@ TEST(Agree, LetsOpenCellsBeEither) {
 }
 
 TEST(Agree, CountsCrossings) {
+  ASSERT_NO_FATAL_FAILURE(assert_that_two_crossings_are_several());
   EXPECT_TRUE(samples_agree(column({8, 0, 8}), column({8, 1, 7})));
   EXPECT_FALSE(samples_agree(column({8, 0, 8, 0}), column({8, 0, 8})));
 }

@@ -4,7 +4,7 @@
 
 #include <limits>
 
-#include "harness/studies/loop/tracked_runs.h"
+#include "harness/studies/loop/drift_study.h"
 
 namespace lcp {
 namespace {
@@ -107,6 +107,13 @@ Track tracked_squat(double disturbance = 0) {
       named, make_solver("best-first"), {}, [] {}, never);
 }
 
+std::vector<DriftLine> simulated(
+    const std::vector<TrackedTask>& tasks,
+    const std::function<void(const Progress&)>& progress = [](const Progress&) {}) {
+  const std::atomic<bool> never = false;
+  return DriftStudy{{}, kWindow, std::chrono::seconds(60), progress, never}.simulate(tasks);
+}
+
 TEST(Track, HoldsWhatTheRobotStandsOn) {
   const Track track = tracked_squat();
   ASSERT_EQ(track.frames(), 30);
@@ -124,13 +131,10 @@ TEST(Track, HoldsWhatTheRobotStandsOn) {
 TEST(Track, SurvivesItsWayOutOfAProcess) {
   NamedScene scene = make_scene("squat:points=8");
   scene.setup.duration = 0.03;
-  const std::atomic<bool> never = false;
   std::size_t beats = 0;
-  const auto tracks = run_tracks(
-      {{scene, "best-first", {}, "a"}}, {}, std::chrono::seconds(60),
-      [&](const Progress&) { ++beats; }, never);
-  ASSERT_TRUE(tracks.has_value());
-  const Track here = tracked_squat(), &there = tracks->front();
+  const std::vector<DriftLine> lines =
+      simulated({{scene, "best-first", {}, "a"}}, [&](const Progress&) { ++beats; });
+  const Track here = tracked_squat(), &there = lines.front().track;
   EXPECT_EQ(there.centres, here.centres);
   EXPECT_EQ(there.impulse, here.impulse);
   EXPECT_EQ(there.travel, here.travel);
@@ -147,14 +151,25 @@ TEST(Track, ASmallDisturbanceStaysSmallWhereBodiesStand) {
 }
 
 TEST(Track, ASimulationThatThrowsIsATrackWithoutFrames) {
+  NamedScene scene = make_scene("squat:points=8"), refused = scene;
+  scene.setup.duration = 0.01;
+  refused.setup.system.mu = -1;  // by the simulation
+  const Track track =
+      simulated({{scene, "best-first", {}, "a"}, {refused, "best-first", {}, "b"}})[1].track;
+  EXPECT_EQ(track.frames(), 0);
+  EXPECT_NE(track.broken.find("mu is -1"), std::string::npos) << track.broken;
+  EXPECT_THROW(simulated({{refused, "best-first", {}, "a"}}), std::runtime_error) << "a reference";
+}
+
+TEST(DriftStudy, ComparesWithTheFirstThatItEverMade) {
   NamedScene scene = make_scene("squat:points=8");
-  scene.setup.system.mu = -1;  // refused by the simulation
+  scene.setup.duration = 0.01;
+  const TrackedTask standing{scene, "best-first", {}, "a"};
+  const std::function<void(const Progress&)> unseen = [](const Progress&) {};
   const std::atomic<bool> never = false;
-  const auto tracks = run_tracks(
-      {{scene, "best-first", {}, "a"}}, {}, std::chrono::seconds(60), [](const Progress&) {},
-      never);
-  EXPECT_EQ(tracks->front().frames(), 0);
-  EXPECT_NE(tracks->front().broken.find("mu is -1"), std::string::npos) << tracks->front().broken;
+  DriftStudy study{{}, kWindow, std::chrono::seconds(60), unseen, never};
+  EXPECT_EQ(largest(study.simulate({standing})[0].drifts, kForever).distance, 0);
+  EXPECT_GT(largest(study.simulate({disturbed(standing, 1e-9)})[0].drifts, kForever).distance, 0);
 }
 
 }  // namespace

@@ -103,16 +103,11 @@ TEST(InTheLoop, ContactsThatDoNotInfluenceOneAnotherAreSolvedApart) {
   EXPECT_EQ(frames_with(solver).frames.size(), 30u);
   EXPECT_GT(most, 1u) << "nothing is tested without islands";
   // Asked for each island apart: no problem that the solver sees has islands.
-  struct Watched final : Solver {
-    Result solve(const Problem& problem, const Call& call) const override {
-      EXPECT_FALSE(has_islands(problem));
-      return inner->solve(problem, call);
-    }
-    OptionTable options() override { return {}; }
-    std::shared_ptr<Solver> inner;
+  const auto watched = std::make_shared<Solver>(*solver.solver);
+  watched->run = [inner = solver.solver](const Problem& problem, const Call& call) {
+    EXPECT_FALSE(has_islands(problem));
+    return inner->solve(problem, call);
   };
-  const auto watched = std::make_shared<Watched>();
-  watched->inner = solver.solver;
   frames_with({solver.spelling, solver.info, watched});
 }
 

@@ -6,8 +6,8 @@
 #include <gtest/gtest.h>
 
 #include "harness/judge/judge.h"
+#include "problems/decompositions.h"
 #include "problems/io/load.h"
-#include "problems/singular_values.h"
 #include "solvers/registry.h"
 
 namespace lcp {

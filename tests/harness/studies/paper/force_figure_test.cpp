@@ -6,8 +6,8 @@
 #include <stdexcept>
 
 #include "problems/io/errors.h"
-#include "tests/harness/studies/paper/pictured_run.h"
 #include "tests/harness/present/scenes/xml.h"
+#include "tests/harness/studies/paper/pictured_run.h"
 #include "tests/harness/temporary_directory.h"
 
 namespace lcp {
@@ -70,13 +70,18 @@ TEST(ForceFigure, AveragesBelongToTheMiddleOfTheirTwentyMilliseconds) {
     frame.com_velocity = {0, 0, 2 * frame.time};
     run.frames.push_back(frame);
   }
-  const std::vector<VerticalForces> forces = vertical_forces(run, 3, {0, 0, -10});
-  EXPECT_FALSE(forces[9].mean);
-  ASSERT_TRUE(forces[10].mean);
-  EXPECT_NEAR(forces[10].mean->sum, 10.5, 1e-12);  // frames 0 to 19, and 1 N
-  EXPECT_NEAR(forces[10].mean->expected, 3 * (2 + 10), 1e-9);
-  EXPECT_TRUE(forces[39].mean);
-  EXPECT_FALSE(forces[40].mean);
+  const Eigen::MatrixXd forces = vertical_forces(run, 3, {0, 0, -10});
+  ASSERT_EQ(forces.cols(), 8) << "time, 2 forces, their sum, 4 averages";
+  EXPECT_EQ(forces(12, 1), 12);
+  EXPECT_EQ(forces(12, 3), 13);
+  const auto averaged = [&](Index frame) { return !forces.row(frame).hasNaN(); };
+  EXPECT_FALSE(averaged(9));
+  ASSERT_TRUE(averaged(10));
+  EXPECT_NEAR(forces(10, 4), 9.5, 1e-12);  // frames 0 to 19
+  EXPECT_NEAR(forces(10, 6), 10.5, 1e-12) << "and 1 N";
+  EXPECT_NEAR(forces(10, 7), 3 * (2 + 10), 1e-9);
+  EXPECT_TRUE(averaged(39));
+  EXPECT_FALSE(averaged(40));
 }
 
 TEST(ForceFigure, RefusesARunTooShortToAverage) {

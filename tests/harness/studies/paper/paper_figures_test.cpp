@@ -6,8 +6,8 @@
 #include <stdexcept>
 
 #include "problems/io/errors.h"
-#include "tests/harness/studies/paper/pictured_run.h"
 #include "tests/harness/present/scenes/xml.h"
+#include "tests/harness/studies/paper/pictured_run.h"
 #include "tests/harness/temporary_directory.h"
 
 namespace lcp {
@@ -19,23 +19,17 @@ NamedScene short_squat() {
   return scene;
 }
 
-using WriteFigure = LoopRun (*)(const std::filesystem::path&, const NamedScene&, const NamedSolver&,
-                                const Acceptance&, const FrameLook&, const std::atomic<bool>&);
-
-const std::pair<const char*, WriteFigure> figures[] = {{"fig2", write_figure_2},
-                                                       {"fig3", write_figure_3}};
-
 TEST(PaperFigures, AreWrittenWithTheirNumbersIntoANewDirectory) {
   const TemporaryDirectory directory;
   const std::atomic<bool> interrupted = false;
-  for (const auto& [name, write] : figures) {
+  for (const int figure : {2, 3}) {
     Index looked = 0;
-    const LoopRun run = write(
-        directory.file("figures"), short_squat(), make_solver("best-first"), {},
+    const LoopRun run = write_figure(
+        figure, directory.file("figures"), short_squat(), make_solver("best-first"), {},
         [&](const Simulation&, const Frame&, const FrameRecord&) { ++looked; }, interrupted);
     EXPECT_EQ(looked, 60);
     EXPECT_EQ(run.broken, "");
-    const std::string stem = directory.file("figures/") + name;
+    const std::string stem = directory.file("figures/fig") + std::to_string(figure);
     EXPECT_EQ(complaint_about_xml(read_text(stem + ".svg")), "");
     const std::string csv = read_text(stem + ".csv");
     EXPECT_EQ(std::count(csv.begin(), csv.end(), '\n'), 61);
@@ -51,30 +45,31 @@ TEST(PaperFigures, AreWrittenWithTheirNumbersIntoANewDirectory) {
 TEST(PaperFigures, InterruptedNothingIsWritten) {
   const TemporaryDirectory directory;
   std::atomic<bool> interrupted = false;
-  for (const auto& [name, write] : figures) {
+  for (const int figure : {2, 3}) {
     interrupted = false;
-    const LoopRun run = write(
-        directory.file("figures"), short_squat(), make_solver("best-first"), {},
+    const LoopRun run = write_figure(
+        figure, directory.file("figures"), short_squat(), make_solver("best-first"), {},
         [&](const Simulation&, const Frame&, const FrameRecord& record) {
           if (record.frame == 30) interrupted = true;
         },
         interrupted);
-    EXPECT_EQ(run.broken, "interrupted") << name;
-    EXPECT_TRUE(std::filesystem::is_empty(directory.file("figures"))) << name;
+    EXPECT_EQ(run.broken, "interrupted") << figure;
+    EXPECT_TRUE(std::filesystem::is_empty(directory.file("figures"))) << figure;
   }
 }
 
 TEST(PaperFigures, RefuseASceneWithoutTwoFeetAndAPlaceThatIsNone) {
   const TemporaryDirectory directory;
   const std::atomic<bool> interrupted = false;
-  for (const auto& [name, write] : figures) {
+  for (const int figure : {2, 3}) {
     NamedScene lame = short_squat();
     lame.setup.system.handles.pop_back();
-    EXPECT_THROW(write(directory.path(), lame, make_solver("best-first"), {}, {}, interrupted),
+    EXPECT_THROW(write_figure(figure, directory.path(), lame, make_solver("best-first"), {}, {},
+                              interrupted),
                  std::invalid_argument);
     write_text(directory.file("in-the-way"), "");
-    EXPECT_THROW(write(directory.file("in-the-way/figures"), short_squat(),
-                       make_solver("best-first"), {}, {}, interrupted),
+    EXPECT_THROW(write_figure(figure, directory.file("in-the-way/figures"), short_squat(),
+                              make_solver("best-first"), {}, {}, interrupted),
                  UnwritableOutput);
   }
 }
@@ -105,7 +100,7 @@ TEST(PaperFigures, ARowOfMomentsPerScene) {
   EXPECT_EQ(complaint_about_xml(svg), "");
   for (const char* words : {"squat, 0.000 s", "squat, 0.010 s", "squat, 0.020 s", "squat, 0.030 s"})
     EXPECT_NE(svg.find(words), std::string::npos) << words;
-  for (const char* other : {"figures/fig4.gp", "figures/fig4.dat"})
+  for (const char* other : {"figures/fig4.gp", "figures/fig4.dat", "figures/fig4.png"})
     EXPECT_TRUE(std::filesystem::exists(directory.file(other))) << other;
   const std::string csv = read_text(directory.file("figures/fig4.csv"));
   const auto lines = std::count(csv.begin(), csv.end(), '\n');

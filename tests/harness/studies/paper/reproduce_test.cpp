@@ -20,9 +20,8 @@ namespace fs = std::filesystem;
 /// Two columns of Table I on a few milliseconds of squat.
 PaperPlan small_plan() {
   PaperPlan plan = paper_plan(1, false);
-  plan.scene = "squat:points=8";
-  plan.beside.reset();
-  std::erase_if(plan.columns, [](const PaperColumn& column) {
+  plan.scenes = {{"in the loop", "squat:points=8"}};
+  std::erase_if(plan.solvers, [](const PaperColumn& column) {
     return column.name != "lemke" && column.name != "best-first";
   });
   plan.duration = 0.005;
@@ -56,16 +55,21 @@ class Reproduce : public testing::Test {
 
 TEST_F(Reproduce, SetsTheTableTogether) {
   const PaperTable table = run().value();
-  ASSERT_EQ(table.in_loop.size(), 2u);
-  EXPECT_EQ(table.in_loop[1].question.solver, "best-first");
-  EXPECT_EQ(table.in_loop[1].summary.total_frames, 4) << "in the first frame nothing touches";
-  EXPECT_EQ(table.in_loop[1].summary.failure, 0);
-  const CorpusColumn* ours = find_column(table.by_residual, "squat:points=8", "best-first");
-  ASSERT_NE(ours, nullptr);
+  ASSERT_EQ(table.layers.front().label, "in the loop");
+  const std::vector<Cell>& in_loop = table.layers.front().rows;
+  ASSERT_EQ(in_loop.size(), 2u);
+  EXPECT_EQ(in_loop[1].at("solver"), "best-first");
+  EXPECT_EQ(in_loop[1].at("total_frames"), 4) << "in the first frame nothing touches";
+  EXPECT_EQ(in_loop[1].at("failure"), 0);
+  EXPECT_TRUE(std::any_of(table.layers.begin(), table.layers.end(), [](const PaperLayer& layer) {
+    return layer.section.empty() && layer.second_look &&
+           layer.rows[1].at("corpus") == "squat:points=8" && layer.rows[1].at("success") == 4;
+  }));
+  const PaperPage page = page_of(table);
   for (const TableFormat format :
        {TableFormat::text, TableFormat::csv, TableFormat::json, TableFormat::latex})
-    EXPECT_NE(render(table, format).find("lemke"), std::string::npos);
-  const nlohmann::json json = nlohmann::json::parse(render(table, TableFormat::json));
+    EXPECT_NE(render(page, format).find("lemke"), std::string::npos);
+  const nlohmann::json json = nlohmann::json::parse(page.json);
   bool found = false;
   for (const nlohmann::json& row : json.at("rows"))
     if (row.at("solver") == "lemke" && row.at("mode") == "in-loop") {
@@ -79,8 +83,9 @@ TEST_F(Reproduce, ThePictureShowsPublishedAndMeasuredOfEveryRow) {
   const PaperTable table = run().value();
   const DotPage page = picture_of(table);
   EXPECT_EQ(page.panels.size(), table.plan.rows.size());
-  ASSERT_EQ(page.legend,
-            (std::vector<std::string>{"published", "in the loop", "on corpus", "at 1e-6"}));
+  std::vector<std::string> legend;
+  for (const LegendEntry& each : page.legend) legend.push_back(each.name);
+  ASSERT_EQ(legend, (std::vector<std::string>{"published", "in the loop", "on corpus", "at 1e-6"}));
   for (const DotPanel& panel : page.panels) {
     if (panel.title != "success") continue;
     ASSERT_EQ(panel.series.size(), 4u);

@@ -4,13 +4,12 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <cstdio>
 #include <cstdlib>
+#include <functional>
 #include <stdexcept>
 
-#include "harness/studies/sheet/chart_panels.h"
 #include "harness/studies/sheet/sheet_pictures.h"
-#include "harness/present/step_curves.h"
-#include "harness/present/tag_placement.h"
 #include "problems/io/errors.h"
 #include "tests/harness/made_up_records.h"
 #include "tests/harness/temporary_directory.h"
@@ -27,42 +26,75 @@ std::vector<Record> three_solved_one_failed() {
   return records;
 }
 
+/// The marks of the series of one kind in a panel, for which `fits` holds.
+std::vector<Mark> marks_of(const Panel& panel, Series::Kind kind,
+                           const std::function<bool(const Series&)>& fits) {
+  std::vector<Mark> marks;
+  for (const Series& series : panel.series)
+    if (series.kind == kind && fits(series))
+      marks.insert(marks.end(), series.marks.begin(), series.marks.end());
+  return marks;
+}
+
+/// Points with quartiles, which are those in colour.
+std::vector<Mark> points_of(const Panel& panel) {
+  return marks_of(panel, Series::Kind::points, [](const Series& series) {
+    return !series.marks.empty() && !std::isnan(series.marks.front().x_low);
+  });
+}
+
+std::vector<Mark> stairs_of(const Panel& panel) {
+  return marks_of(panel, Series::Kind::line, [](const Series& series) { return series.size == 5; });
+}
+
+/// What the list beside a chart says of each line's mass: failed of counted.
+std::vector<std::pair<int, int>> masses_of(const Panel& list) {
+  std::vector<std::pair<int, int>> masses;
+  for (const Mark& mark : marks_of(list, Series::Kind::text,
+                                   [](const Series& series) { return !series.marks.empty(); }))
+    if (int failed = 0, counted = 0;
+        std::sscanf(mark.text.c_str(), "%d of %d", &failed, &counted) == 2)
+      masses.emplace_back(failed, counted);
+  return masses;
+}
+
 TEST(Chart, PointsAreMediansAndQuartilesOverTheSolved) {
-  const std::vector<ChartPanel> panels = chart_panels(make_sheet(three_solved_one_failed()));
-  ASSERT_EQ(panels.size(), 1u);
-  ASSERT_EQ(panels[0].points.size(), 1u);
-  const ChartPoint& point = panels[0].points[0];
-  EXPECT_EQ(point.mass.counted(), 4);
-  EXPECT_EQ(point.mass.failed, 1);
-  EXPECT_DOUBLE_EQ(point.cost.value().low, 1);
-  EXPECT_DOUBLE_EQ(point.cost.value().median, 2);
-  EXPECT_DOUBLE_EQ(point.cost.value().high, 4);
-  EXPECT_DOUBLE_EQ(point.residual.value().low, 0);
-  EXPECT_DOUBLE_EQ(point.residual.value().median, 1e-14);
+  const Figure figure = chart_figure(make_sheet(three_solved_one_failed()));
+  ASSERT_EQ(figure.panels.size(), 2u) << "the plane and its list";
+  const std::vector<Mark> points = points_of(figure.panels[0]);
+  ASSERT_EQ(points.size(), 1u);
+  EXPECT_EQ(masses_of(figure.panels[1]), (std::vector<std::pair<int, int>>{{1, 4}}));
+  EXPECT_FALSE(points[0].filled) << "it failed somewhere";
+  EXPECT_DOUBLE_EQ(points[0].x_low, 1);
+  EXPECT_DOUBLE_EQ(points[0].x, 2);
+  EXPECT_DOUBLE_EQ(points[0].x_high, 4);
+  EXPECT_DOUBLE_EQ(points[0].y_low, residual_floor) << "where 0 stands";
+  EXPECT_DOUBLE_EQ(points[0].y, 1e-14);
+  EXPECT_EQ(figure.panels[0].y.ticks.back().label, "exact");
 }
 
 TEST(Chart, ASolverThatSolvedNothingHasNoPointButIsCounted) {
-  const std::vector<ChartPanel> panels =
-      chart_panels(make_sheet({made_up("c/0", "a", Verdict::ray, Claim::ray, 1)}));
-  ASSERT_EQ(panels.size(), 1u);
-  EXPECT_FALSE(panels[0].points[0].cost || panels[0].points[0].residual);
-  EXPECT_EQ(panels[0].points[0].mass.failed, 1);
-  EXPECT_TRUE(panels[0].stairs.empty());
+  const Figure figure =
+      chart_figure(make_sheet({made_up("c/0", "a", Verdict::ray, Claim::ray, 1)}));
+  ASSERT_EQ(figure.panels.size(), 2u);
+  EXPECT_TRUE(points_of(figure.panels[0]).empty());
+  EXPECT_EQ(masses_of(figure.panels[1]), (std::vector<std::pair<int, int>>{{1, 1}}));
+  EXPECT_TRUE(stairs_of(figure.panels[0]).empty());
 }
 
 TEST(Chart, TheStairsJoinTheFrontOfThoseThatSolveTheMost) {
   std::vector<Record> records = {solved("c/0", "slow", 1e-15), solved("c/0", "quick", 1e-8),
                                  solved("c/0", "worse", 1e-7)};
   records[0].times_ns = {8'000'000};
-  const std::vector<ChartPanel> panels = chart_panels(make_sheet(records));
-  const std::vector<Pixels>& stairs = panels[0].stairs;
+  const Panel panel = chart_figure(make_sheet(records)).panels.front();
+  const std::vector<Mark> stairs = stairs_of(panel);
   ASSERT_EQ(stairs.size(), 5u);
   EXPECT_DOUBLE_EQ(stairs[1].x, 1);
   EXPECT_DOUBLE_EQ(stairs[1].y, 1e-8);
   EXPECT_DOUBLE_EQ(stairs[2].x, 8);
   EXPECT_DOUBLE_EQ(stairs[2].y, 1e-8);
   EXPECT_DOUBLE_EQ(stairs[3].y, 1e-15);
-  EXPECT_DOUBLE_EQ(stairs[4].x, panels[0].cost.high);
+  EXPECT_DOUBLE_EQ(stairs[4].x, panel.x.high);
 }
 
 TEST(Chart, AmongManySettingsSomeAreListedAndTheOthersSummedUp) {
@@ -72,23 +104,30 @@ TEST(Chart, AmongManySettingsSomeAreListedAndTheOthersSummedUp) {
     records.push_back(i % 2 == 0 ? solved("c/0", solver, 1e-10)
                                  : made_up("c/0", solver, Verdict::ray, Claim::ray, 1));
   }
-  const ChartPanel panel = chart_panels(make_sheet(records)).front();
-  Mass listed;
-  for (const ChartPoint& point : panel.points)
-    if (point.listed) {
-      listed.instances += point.mass.instances;
-      listed.failed += point.mass.failed;
-    }
-  EXPECT_LE(panel.lines(), 15u);
-  EXPECT_EQ(listed.instances + panel.others().instances, 30);
-  EXPECT_EQ(listed.failed + panel.others().failed, 15);
+  const Figure figure = chart_figure(make_sheet(records));
+  const auto masses = masses_of(figure.panels[1]);
+  EXPECT_LE(masses.size(), 15u);
+  int failed = 0, counted = 0;
+  for (const auto& [of_line, all] : masses) {
+    failed += of_line;
+    counted += all;
+  }
+  EXPECT_EQ(counted, 30);
+  EXPECT_EQ(failed, 15);
+}
+
+TEST(Chart, GivesEverySolverItsOneLook) {
+  const Figure figure = chart_figure(make_sheet(three_solved_one_failed()));
+  const Look look = points_of(figure.panels[0]).front().look, own = look_of_solver("a");
+  EXPECT_EQ(look.colour, own.colour);
+  EXPECT_EQ(look.marker, own.marker);
 }
 
 TEST(Chart, IsDrawnWithScriptAndDataBesideIt) {
   const TemporaryDirectory directory;
   std::vector<Record> records = three_solved_one_failed();
   records.push_back(made_up("c/0", "b_x", Verdict::ray, Claim::ray, 1));
-  draw_chart(make_sheet(records), directory.file("chart.svg"));
+  draw_figure(directory.file("chart.svg"), chart_figure(make_sheet(records)));
   const std::string svg = read_text(directory.file("chart.svg"));
   EXPECT_NE(svg.find("</svg>"), std::string::npos);
   EXPECT_NE(svg.find("b_x"), std::string::npos);
@@ -103,16 +142,14 @@ TEST(Chart, ACorpusNameCannotRunCommands) {
   const std::string file = directory.file("made");
   const Sheet sheet = make_sheet({solved("`touch " + file + "`", "a", 0),
                                   solved("'\n! touch " + file + "\n", "a`touch " + file + "`", 0)});
-  draw_chart(sheet, directory.file("chart.svg"));
-  draw_step_curves(directory.file("profile.svg"), profile_page(sheet));
+  draw_figure(directory.file("chart.svg"), chart_figure(sheet));
+  draw_figure(directory.file("profile.svg"), profile_figure(sheet));
   EXPECT_FALSE(std::filesystem::exists(file));
 }
 
 TEST(Chart, RefusesToDrawNothing) {
-  const TemporaryDirectory directory;
-  EXPECT_THROW(
-      draw_chart(make_sheet({ended("c/0", "a", Verdict::not_run)}), directory.file("chart.svg")),
-      std::invalid_argument);
+  EXPECT_THROW(chart_figure(make_sheet({ended("c/0", "a", Verdict::not_run)})),
+               std::invalid_argument);
 }
 
 TEST(Chart, SaysHowToGoOnWhereGnuplotIsMissing) {
@@ -120,7 +157,7 @@ TEST(Chart, SaysHowToGoOnWhereGnuplotIsMissing) {
   const std::string path = std::getenv("PATH");
   setenv("PATH", directory.path().c_str(), 1);
   try {
-    draw_chart(make_sheet({solved("c/0", "a", 0)}), directory.file("chart.svg"));
+    draw_figure(directory.file("chart.svg"), chart_figure(make_sheet({solved("c/0", "a", 0)})));
     ADD_FAILURE() << "drawn without gnuplot";
   } catch (const UnwritableOutput& error) {
     EXPECT_NE(std::string(error.what()).find("gnuplot-nox"), std::string::npos) << error.what();
@@ -128,27 +165,6 @@ TEST(Chart, SaysHowToGoOnWhereGnuplotIsMissing) {
   setenv("PATH", path.c_str(), 1);
   EXPECT_TRUE(std::filesystem::exists(directory.file("chart.gp")));
   EXPECT_FALSE(std::filesystem::exists(directory.file("chart.svg")));
-}
-
-bool apart(Pixels a, Pixels b, Pixels size) {
-  return std::abs(a.x - b.x) >= size.x || std::abs(a.y - b.y) >= size.y;
-}
-
-TEST(TagPlacement, TagsOfEqualPointsStandApartAndInside) {
-  const Pixels area = {300, 200}, tag = {17, 13};
-  const std::vector<Pixels> tags =
-      place_tags(std::vector<Pixels>(12, Pixels{295, 4}), {}, area, tag);
-  for (std::size_t i = 0; i < tags.size(); ++i) {
-    EXPECT_GE(tags[i].x, tag.x / 2);
-    EXPECT_LE(tags[i].x, area.x - tag.x / 2);
-    EXPECT_GE(tags[i].y, tag.y / 2);
-    for (std::size_t j = 0; j < i; ++j) EXPECT_TRUE(apart(tags[i], tags[j], tag)) << i << ' ' << j;
-  }
-}
-
-TEST(TagPlacement, ALonelyPointHasItsTagNearby) {
-  const Pixels tag = place_tags({{100, 100}}, {}, {300, 200}, {17, 13}).front();
-  EXPECT_NEAR(std::hypot(tag.x - 100, tag.y - 100), nearest_tag_distance(), 1e-9);
 }
 
 }  // namespace

@@ -33,7 +33,7 @@ inline StudyPlan plan_of(const std::string& scene, double duration, const std::s
 
 inline Study made(const StudyPlan& plan) {
   const std::atomic<bool> never = false;
-  return *study(
+  return study(
       plan, [](const Progress&) {}, never);
 }
 

@@ -29,7 +29,7 @@ Record with_verdict(const std::string& instance, Verdict verdict) {
 /// One record of every verdict a run may write, and a trivial success.
 std::vector<Record> one_of_each() {
   std::vector<Record> records;
-  for (const Verdict verdict : all_verdicts())
+  for (const Verdict verdict : all_values<Verdict>())
     if (verdict != Verdict::inaccurate)
       records.push_back(with_verdict("c/" + to_string(verdict), verdict));
   records.push_back(solved("c/trivial", "a", 0));
@@ -83,6 +83,29 @@ TEST(Table, TakesTimesAndResidualsOfTheSolvedAlone) {
   EXPECT_DOUBLE_EQ(row.time_median_ms.value(), 2);
   EXPECT_DOUBLE_EQ(row.residual_median.value(), 1e-12);
   EXPECT_DOUBLE_EQ(row.residual_max.value(), 1e-10);
+}
+
+TEST(Table, TakesTheLargestResidualOfAll) {
+  std::vector<Record> records;
+  for (int i = 1; i <= 40; ++i) records.push_back(solved("c/" + std::to_string(i), "a", i * 1e-9));
+  EXPECT_DOUBLE_EQ(make_table(records).rows.front().residual_max.value(), 40e-9);
+}
+
+TEST(Table, CountsInstancesThatWereRestartedHoweverOften) {
+  std::vector<Record> records;
+  for (const Index restarts : {0, 1, 2, 1, 7}) {
+    records.push_back(solved("c/" + std::to_string(records.size()), "a", 0));
+    records.back().work.restarts = restarts;
+  }
+  EXPECT_EQ(make_table(records).rows.front().restarted, 4);
+}
+
+TEST(Table, TellsTheMostJobsOfAnyOfItsRows) {
+  std::vector<Record> records = {solved("c/0", "a", 0), solved("c/1", "a", 0),
+                                 solved("c/2", "a", 0)};
+  records[0].jobs = 2;
+  records[1].jobs = 4;
+  EXPECT_EQ(make_table(records).jobs, 4);
 }
 
 TEST(Table, TakesMeansOfWorkOverRunsThatReturned) {
@@ -286,7 +309,7 @@ TEST(TableRendering, TextFitsATerminalAndExplainsItsColumns) {
   for (const char* solver : {"lexicographic-pivot:delta=0.0001", "best-first"})
     for (int i = 0; i < 3; ++i) records.push_back(solved("c/" + std::to_string(i), solver, 1e-15));
   const std::string text = render(make_table(records), TableFormat::text);
-  for (const std::string& line : lines(text)) EXPECT_LE(line.size(), 110u) << line;
+  for (const std::string& line : lines(text)) EXPECT_LE(line.size(), 100u) << line;
   for (const char* heading : {"solved", "failed", "no sol", "cycle", "error", "resid"})
     EXPECT_NE(text.find(std::string("\n  ") + heading), std::string::npos) << heading;
   EXPECT_NE(text.find("c: 3 instances, 3.0 contacts, 2.0 active"), std::string::npos);
