@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
 #include <map>
 #include <nlohmann/json.hpp>
 
@@ -28,57 +29,50 @@ Json to_json(OptionTable table) {
   return json;
 }
 
-void print(const OptionTable& table) {
-  for (const Option& option : table) {
-    fmt::print("    {:<24} {}; {}\n", option.name + "=" + option.get(), option.doc, option.accepts);
-    if (!option.accuracy_ladder.empty())
-      fmt::print("    {:<24} speed against accuracy: {}\n", "",
-                 fmt::join(option.accuracy_ladder, ", "));
+/// What JSON says of a row, for a reader.
+void print_row(const Json& row) {
+  fmt::print("{}\n    {}\n", row["name"].get<std::string>(), row["summary"].get<std::string>());
+  for (const auto& [key, value] : row.items()) {
+    if (key == "name" || key == "summary" || key == "options" || value == "") continue;
+    std::string label = key;
+    std::replace(label.begin(), label.end(), '_', ' ');
+    fmt::print("    {}: {}\n", label, value.is_string() ? value.get<std::string>() : value.dump());
   }
+  for (const Json& option : row["options"]) {
+    const auto of = [&option](const char* key) { return option[key].get<std::string>(); };
+    fmt::print("    {:<24} {}; {}\n", of("name") + "=" + of("default"), of("doc"), of("accepts"));
+    if (!option["accuracy_ladder"].empty())
+      fmt::print("    {:<24} speed against accuracy: {}\n", "",
+                 fmt::join(option["accuracy_ladder"].get<std::vector<std::string>>(), ", "));
+  }
+  fmt::print("\n");
 }
 
-/// What is said of a row besides its name, summary, source and options.
-struct RowRemarks {
-  Json json = Json::object();
-  std::string text = {};  ///< Lines.
-};
-
-/// Prints the rows of a registry, or gathers them; `remarks` says what is particular about one.
-template <class Rows, class Remarks>
-Json list_rows(const Rows& rows, bool json, const Remarks& remarks) {
+/// The rows of a registry, printed unless they are for JSON; `more` says what is particular about one.
+template <class Rows, class More>
+Json list_rows(const Rows& rows, bool json, const More& more) {
   Json all = Json::array();
   for (const auto& row : rows) {
     const auto made = row.make();
-    const RowRemarks more = remarks(row.info);
-    Json& object = all.emplace_back(
-        Json{{"name", row.info.name}, {"summary", row.info.summary}, {"source", row.info.source}});
-    object.update(more.json);
+    Json object = {
+        {"name", row.info.name}, {"summary", row.info.summary}, {"source", row.info.source}};
+    object.update(more(row.info));
     object["options"] = to_json(made->options());
-    if (json) continue;
-    fmt::print("{}\n    {}\n    Source: {}\n{}", row.info.name, row.info.summary, row.info.source,
-               more.text);
-    print(made->options());
-    fmt::print("\n");
+    if (!json) print_row(object);
+    all.push_back(std::move(object));
   }
   return all;
 }
 
-RowRemarks remarks_on(const RowInfo& row) {
-  RowRemarks more{{{"kind", row.kind == RowInfo::Kind::pivoting ? "pivoting" : "iterative"},
-                   {"version", row.version},
-                   {"supports", row.supports},
-                   {"library", row.outside_library},
-                   {"library_constants", row.outside_constants}},
-                  fmt::format("    Supports: {}\n", row.supports)};
-  if (row.peer())
-    more.text += fmt::format("    Peer: {}\n    Its own tolerances: {}\n", row.outside_library,
-                             row.outside_constants);
-  return more;
-}
-
 Json list_solvers(bool json) {
   Json absent = Json::array();
-  const Json all = list_rows(registry(), json, remarks_on);
+  const Json all = list_rows(registry(), json, [](const RowInfo& row) -> Json {
+    return {{"kind", row.kind == RowInfo::Kind::pivoting ? "pivoting" : "iterative"},
+            {"version", row.version},
+            {"supports", row.supports},
+            {"library", row.outside_library},
+            {"library_constants", row.outside_constants}};
+  });
   for (const AbsentPeer& peer : absent_peers()) {
     absent.push_back(
         {{"name", peer.name}, {"library", peer.outside_library}, {"package", peer.package}});
@@ -90,15 +84,13 @@ Json list_solvers(bool json) {
 }
 
 Json list_families(bool json) {
-  return {{"families", list_rows(families(), json, [](const FamilyInfo& info) {
-             return RowRemarks{{{"default_count", info.default_count}},
-                               fmt::format("    {} instances unless --count says otherwise\n",
-                                           info.default_count)};
+  return {{"families", list_rows(families(), json, [](const FamilyInfo& info) -> Json {
+             return {{"default_count", info.default_count}};
            })}};
 }
 
 Json list_scenes(bool json) {
-  return {{"scenes", list_rows(scenes(), json, [](const SceneInfo&) { return RowRemarks{}; })}};
+  return {{"scenes", list_rows(scenes(), json, [](const SceneInfo&) { return Json::object(); })}};
 }
 
 /// The most recent of `runs` that measured the suite as it is, cold; null when there is none.

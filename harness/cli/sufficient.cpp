@@ -18,8 +18,7 @@ struct SufficientArguments {
   std::vector<std::string> solvers;
   std::vector<std::string> durations;  ///< One for all scenes, or one for each.
   std::string reference_dt, window = "20ms", silence = "1min";
-  double trajectory = 1, force = 2, penetration = 1, slip = 1;
-  StudyPlan plan;  ///< The rest of it.
+  StudyPlan plan;  ///< The rest of it; tolerances in the units of their kinds.
   StudyOutput output;
 };
 
@@ -28,11 +27,8 @@ StudyPlan study_plan(const std::string& scene, const std::string& duration,
   StudyPlan plan = arguments.plan;
   plan.ladder = make_ladder(scene, arguments.reference_solver, arguments.solvers,
                             parse_seconds(arguments.reference_dt, "--reference-dt"));
-  plan.criteria = {.trajectory = 1e-3 * arguments.trajectory,
-                   .force = 1e-2 * arguments.force,
-                   .window = parse_seconds(arguments.window, "--window").value(),
-                   .penetration = 1e-3 * arguments.penetration,
-                   .slip = 1e-3 * arguments.slip};
+  for (const ErrorKind& kind : error_kinds) plan.criteria.*kind.tolerance /= kind.scale;
+  plan.criteria.window = parse_seconds(arguments.window, "--window").value();
   plan.duration = duration.empty() ? std::min(kMostByDefault, make_scene(scene).setup.duration)
                                    : *parse_seconds(duration, "--duration");
   plan.silence = parse_duration(arguments.silence, "--silence");
@@ -95,13 +91,12 @@ void sufficient_options(CLI::App& page, SufficientArguments& arguments) {
   const auto positive = [&](const char* name, double& value, const char* meaning) {
     add_with_default(page, name, value, meaning, CLI::PositiveNumber);
   };
-  positive("--trajectory", arguments.trajectory,
-           "Tolerance: largest distance of a link's centre of mass, mm");
-  positive("--force", arguments.force,
-           "Tolerance: contact forces on a mechanism, averaged, % of the weight");
+  for (const ErrorKind& kind : error_kinds) {
+    plan.criteria.*kind.tolerance *= kind.scale;
+    positive(fmt::format("--{}", kind.name).c_str(), plan.criteria.*kind.tolerance,
+             fmt::format("Tolerance, {}: {}", kind.unit, kind.meaning).c_str());
+  }
   add_with_default(page, "--window", arguments.window, "Over which forces are averaged");
-  positive("--penetration", arguments.penetration, "Tolerance: largest overlap, mm");
-  positive("--slip", arguments.slip, "Tolerance: way that a link slips on its contacts, mm");
   positive("--disturbance", plan.disturbance,
            "Of the reference's velocities at the start, for the noise floor, m/s and rad/s");
   positive("--floor-share", plan.floor_share,

@@ -26,9 +26,9 @@ constexpr char beat_byte = '.';
 constexpr char threw_byte = '!';
 constexpr char unwritable_byte = 'W';
 
-void run_in_child(const ChildTask& task) {
-  const auto say = [](const std::string& bytes) {
-    if (!write_all(ChildProcess::channel, bytes)) _exit(EXIT_FAILURE);
+void run_in_child(int channel, const ChildTask& task) {
+  const auto say = [channel](const std::string& bytes) {
+    if (!write_all(channel, bytes)) _exit(EXIT_FAILURE);
   };
   try {
     task([&] { say({beat_byte}); });
@@ -49,7 +49,8 @@ class Child {
   Child(std::size_t number, const ChildTask& task) : task_(number), last_beat_(Clock::now()) {
     Pipe pipe = make_pipe();
     pipe_ = std::move(pipe.reading);
-    process_ = ChildProcess({.channel = pipe.writing.get()}, [&task] { run_in_child(task); });
+    process_ = ChildProcess({.channel = pipe.writing.get(), .keeps_files = true},
+                            [&task](int channel) { run_in_child(channel, task); });
   }
 
   std::size_t task() const { return task_; }

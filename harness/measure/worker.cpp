@@ -67,9 +67,8 @@ Reply reply_of(const std::function<Result()>& solve) {
 }
 
 /// One timed solve per byte that arrives, until the parent hangs up.
-void serve(const std::function<Result()>& solve, nanoseconds warm_up_below) {
-  constexpr int socket = ChildProcess::channel;
-  const auto say = [](const void* bytes, std::size_t size) {  // or end: the parent has gone
+void serve(int socket, const std::function<Result()>& solve, nanoseconds warm_up_below) {
+  const auto say = [socket](const void* bytes, std::size_t size) {  // or end: the parent has gone
     if (!write_all(socket, {static_cast<const char*>(bytes), size})) _exit(EXIT_FAILURE);
   };
   char go;
@@ -101,9 +100,9 @@ Worker::Worker(const std::function<Result()>& solve, const Limits& limits,
   output_ = std::move(output.reading);
   fcntl(output_.get(), F_SETFL, O_NONBLOCK);  // The child's end waits when the pipe is full.
   const int printed = output.writing.get();
-  process_ = ChildProcess({childs_socket.get(), printed, printed}, [&] {
+  process_ = ChildProcess({childs_socket.get(), printed, printed}, [&](int channel) {
     prepare();
-    serve(solve, limits.warm_up_below);
+    serve(channel, solve, limits.warm_up_below);
   });
   resident_at_start_ = resident_bytes(process_.pid());
 }

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <map>
 #include <stdexcept>
 #include <tuple>
@@ -45,36 +46,26 @@ void compare_pair(const Record& before, const Record& after, const CompareOption
     found.gained += solved(after);
     return;
   }
-  const PairKey pair = key_of(before);
-  if (!solved(after)) {
-    found.regressions.push_back(
-        {Regression::Kind::lost, pair, 0, to_string(before.verdict), to_string(after.verdict)});
-    return;
-  }
+  using Kind = Regression::Kind;
+  const auto worse = [&](Kind kind, double ratio, std::string was, std::string is) {
+    found.regressions.push_back({kind, key_of(before), ratio, std::move(was), std::move(is)});
+  };
+  if (!solved(after))
+    return worse(Kind::lost, 0, to_string(before.verdict), to_string(after.verdict));
   const auto pivots_before = static_cast<double>(before.work.pivots);
   const auto pivots_after = static_cast<double>(after.work.pivots);
   if (pivots_after > (1 + options.pivot_growth) * pivots_before)
-    found.regressions.push_back({Regression::Kind::pivots, pair,
-                                 ratio_of(pivots_after, pivots_before),
-                                 fmt::format("{} pivots", before.work.pivots),
-                                 fmt::format("{} pivots", after.work.pivots)});
+    worse(Kind::pivots, ratio_of(pivots_after, pivots_before),
+          fmt::format("{} pivots", before.work.pivots),
+          fmt::format("{} pivots", after.work.pivots));
   if (const double times = slowdown(before, after); times > options.time_ratio)
-    found.regressions.push_back(
-        {Regression::Kind::time, pair, times, printed_times(before), printed_times(after)});
+    worse(Kind::time, times, printed_times(before), printed_times(after));
 }
 
 }  // namespace
 
 const char* to_string(Regression::Kind kind) {
-  switch (kind) {
-    case Regression::Kind::lost:
-      return "lost";
-    case Regression::Kind::pivots:
-      return "pivots";
-    case Regression::Kind::time:
-      return "time";
-  }
-  return "";
+  return std::array{"lost", "pivots", "time"}.at(static_cast<std::size_t>(kind));
 }
 
 Comparison compare(const std::vector<Record>& before, const std::vector<Record>& after,

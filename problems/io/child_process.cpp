@@ -24,8 +24,8 @@ namespace {
 
 constexpr int threw = 3;  ///< The child's exit status when `work` threw and the pipe says what.
 
-/// In the forked process.
-void isolate(pid_t parent, const ChildStreams& streams) {
+/// In the forked process; returns the number of its channel.
+int isolate(pid_t parent, const ChildStreams& streams) {
   setpgid(0, 0);
   prctl(PR_SET_PDEATHSIG, SIGKILL);
   if (getppid() != parent) _exit(EXIT_FAILURE);
@@ -36,10 +36,14 @@ void isolate(pid_t parent, const ChildStreams& streams) {
   const int nowhere = open("/dev/null", O_RDWR);
   int given[] = {nowhere, streams.out < 0 ? nowhere : streams.out,
                  streams.err < 0 ? nowhere : streams.err, streams.channel};
+  constexpr int streams_count = 3, channel = 3;
   // First out of the way of 0 ... 3, of which some are free when the parent has closed its own.
-  for (int& file : given) file = fcntl(file, F_DUPFD, ChildProcess::channel + 1);
-  for (int number = 0; number <= ChildProcess::channel; ++number) dup2(given[number], number);
-  close_range(ChildProcess::channel + 1, UINT_MAX, 0);
+  for (int& file : given) file = fcntl(file, F_DUPFD_CLOEXEC, channel + 1);
+  for (int number = 0; number < streams_count; ++number) dup2(given[number], number);
+  if (streams.keeps_files) return given[channel];
+  dup2(given[channel], channel);
+  close_range(channel + 1, UINT_MAX, 0);
+  return channel;
 }
 
 std::string first_line(const std::string& text) {
@@ -50,14 +54,14 @@ std::string first_line(const std::string& text) {
 
 }  // namespace
 
-ChildProcess::ChildProcess(const ChildStreams& streams, const std::function<void()>& work) {
+ChildProcess::ChildProcess(const ChildStreams& streams,
+                           const std::function<void(int channel)>& work) {
   std::fflush(nullptr);  // What is buffered now would otherwise be printed by the child as well.
   const pid_t parent = getpid();
   pid_ = fork();
   if (pid_ < 0) throw std::system_error(errno, std::generic_category(), "fork");
   if (pid_ == 0) {
-    isolate(parent, streams);
-    work();
+    work(isolate(parent, streams));
     _exit(EXIT_SUCCESS);  // Neither destructors nor buffers of the parent's are this process's.
   }
   setpgid(pid_, pid_);  // Here too: whichever process comes first.
@@ -87,7 +91,7 @@ std::string how_it_ended(int status, const std::string& by_signal) {
 
 std::string try_in_child(const std::string& what, unsigned seconds,
                          const std::function<std::string()>& work) {
-  const auto run = [&] {
+  const auto run = [&](int channel) {
     std::signal(SIGALRM, SIG_DFL);
     alarm(seconds);
     std::string answer;
@@ -98,7 +102,7 @@ std::string try_in_child(const std::string& what, unsigned seconds,
       answer = error.what();
       status = threw;
     }
-    _exit(write_all(ChildProcess::channel, answer) ? status : EXIT_FAILURE);
+    _exit(write_all(channel, answer) ? status : EXIT_FAILURE);
   };
   try {
     Pipe pipe = make_pipe();
@@ -124,11 +128,11 @@ ProgramOutput output_of(const std::string& program, const std::vector<std::strin
   std::vector<char*> pointers;
   for (std::string& word : words) pointers.push_back(word.data());
   pointers.push_back(nullptr);
-  const auto run = [&] {
-    fcntl(ChildProcess::channel, F_SETFD, FD_CLOEXEC);
+  const auto run = [&](int channel) {
+    fcntl(channel, F_SETFD, FD_CLOEXEC);
     if (chdir(directory.c_str()) == 0) execvp(program.c_str(), pointers.data());
     const int reason = errno;
-    write_all(ChildProcess::channel, {reinterpret_cast<const char*>(&reason), sizeof reason});
+    write_all(channel, {reinterpret_cast<const char*>(&reason), sizeof reason});
     _exit(EXIT_FAILURE);
   };
 

@@ -12,22 +12,21 @@ namespace lcp {
 
 /// Descriptors of this process that a child is given.
 struct ChildStreams {
-  int channel = -1;        ///< Becomes ChildProcess::channel.
-  int out = -1, err = -1;  ///< Become its stdout and stderr; -1: what it prints is dropped.
+  int channel = -1;          ///< Handed to its work.
+  int out = -1, err = -1;    ///< Become its stdout and stderr; -1: what it prints is dropped.
+  bool keeps_files = false;  ///< What else this process has open stays open there.
 };
 
 /// A forked process that does one piece of work, so that a crash, an abort, a leak or a hang ends that
 /// alone. It is in a process group of its own, so that Ctrl-C reaches only this process; it dies with
-/// this process, dumps no core, reads /dev/null, and has no file open but its streams. It is killed, with
-/// what it started, and reaped when this object goes. Fork while this process has one thread.
+/// this process, dumps no core, reads /dev/null, and has no file open but its streams, unless it keeps
+/// them. It is killed, with what it started, and reaped when this object goes. Fork while this process
+/// has one thread.
 class ChildProcess {
  public:
-  /// The number of the child's channel, beside its stdin, stdout and stderr.
-  static constexpr int channel = 3;
-
-  /// Forks. The child ends with status 0 when `work` returns, which must not throw. Throws
+  /// Forks. The child ends with status 0 when `work(channel)` returns, which must not throw. Throws
   /// std::system_error when the system refuses.
-  ChildProcess(const ChildStreams& streams, const std::function<void()>& work);
+  ChildProcess(const ChildStreams& streams, const std::function<void(int channel)>& work);
   ChildProcess() = default;
   ChildProcess(ChildProcess&& other) noexcept : pid_(std::exchange(other.pid_, -1)) {}
   ChildProcess& operator=(ChildProcess&& other) noexcept {

@@ -94,7 +94,7 @@ TEST_F(Runs, SeveralStartsAreRowsOfOneRunAndATableOfGainsAndLosses) {
   EXPECT_EQ(rows("r"), 18);
   EXPECT_EQ(Json::parse(read_text(file("r/run.json"))).at("start"), "cold, two-step, previous");
   for (const char* words : {"best-first [cold]", "best-first [two-step]", "best-first [previous]",
-                            "gained    lost", "t/cold"})
+                            "gained lost", "t/cold"})
     EXPECT_NE(ran.out.find(words), std::string::npos) << words << " in\n" << ran.out;
   const Json table = Json::parse(run({"table", "r", "--format", "json"}).out).at("rows");
   ASSERT_EQ(table.size(), 6u);
@@ -170,8 +170,8 @@ TEST_F(Runs, CompareListsRegressionsAndFailsOnThem) {
   });
   const Ran worse = run({"compare", "old", "new", "--time-ratio", "1000"});
   EXPECT_EQ(worse.status, 1);
-  EXPECT_EQ(worse.out.rfind("lost ", 0), 0u) << worse.out;
-  EXPECT_NE(worse.out.find("solved -> limit"), std::string::npos) << worse.out;
+  EXPECT_NE(worse.out.find("\nlost "), std::string::npos) << worse.out;
+  EXPECT_NE(worse.out.find("solved limit"), std::string::npos) << worse.out;
   const Json json =
       Json::parse(run({"compare", "old", "new", "--time-ratio", "1000", "--json"}).out);
   EXPECT_EQ(json.at("compared"), 4);

@@ -69,7 +69,7 @@ void require_same_bodies(const Track& track, const Track& reference) {
 std::vector<Drift> drift(const Track& track, const Track& reference, double window) {
   require_same_bodies(track, reference);
   const Reader here{track}, there{reference};
-  const auto difference = [&](auto values, double time) {
+  const auto difference = [&](auto values, double time) -> decltype(here.at(values, time)) {
     return here.at(values, time) - there.at(values, time);
   };
   const auto given = [window](const Reader& reader, double time) -> VectorXd {

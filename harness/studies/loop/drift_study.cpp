@@ -67,13 +67,11 @@ std::vector<DriftLine> DriftStudy::simulate(const std::vector<TrackedTask>& task
         Track& track = lines[end.task].track;
         if (end.failure.empty()) {
           track = boxes[end.task].take();
-          return;
+        } else {
+          static_cast<LoopHeader&>(track) =
+              loop_header(tasks[end.task].scene, tasks[end.task].solver);
+          track.broken = end.failure;
         }
-        const TrackedTask& task = tasks[end.task];
-        track.scene = task.scene.spelling;
-        track.solver = task.solver;
-        track.dt = task.scene.setup.stepping.dt;
-        track.broken = end.failure;
       },
       [&](std::size_t task) {
         --to_come[task];

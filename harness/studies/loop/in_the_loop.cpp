@@ -187,6 +187,10 @@ bool is_anchored(const Model& model) {
 
 }  // namespace
 
+LoopHeader loop_header(const NamedScene& scene, const std::string& solver) {
+  return {scene.spelling, solver, scene.setup.stepping.dt};
+}
+
 Index steps_to_make(const NamedScene& scene) {
   return std::lround(scene.setup.duration / scene.setup.stepping.dt);
 }
@@ -195,13 +199,9 @@ LoopRun run_in_the_loop(const NamedScene& scene, const NamedSolver& solver,
                         const Acceptance& acceptance, const FrameLook& look,
                         const std::atomic<bool>& interrupted, std::optional<double> limit) {
   const Model& model = scene.setup.system.model;
-  LoopRun run{.scene = scene.spelling,
-              .solver = solver.spelling,
-              .acceptance = acceptance,
-              .dt = scene.setup.stepping.dt,
-              .duration = scene.setup.duration,
-              .driven = !model.prescribed().empty(),
-              .anchored = is_anchored(model)};
+  LoopRun run{loop_header(scene, solver.spelling), acceptance, scene.setup.duration};
+  run.driven = !model.prescribed().empty();
+  run.anchored = is_anchored(model);
   const Index steps = steps_to_make(scene);
   DrivenSimulation driven(scene, solver, acceptance, look);
   run.frames.reserve(steps);

@@ -49,16 +49,32 @@ struct FrameRecord {
 /// Parts of a simulation's duration after which positions are kept.
 inline constexpr Index trail_parts = 20;
 
-/// A simulation from its start to its end, or to where it broke.
-struct LoopRun {
+/// Which simulation something is of, and how it ended.
+struct LoopHeader {
   std::string scene, solver;  ///< Full spellings.
+  double dt = 0;              ///< s.
+  std::string broken = {};    ///< Why it ended early: bodies no longer at finite speed; stopped.
+  bool stopped = false;       ///< By its limit of time or an interruption, while all was well.
+};
+
+/// As fields.h has them.
+inline constexpr auto loop_header_fields = [](auto& header, const auto& field) {
+  field("scene", header.scene);
+  field("solver", header.solver);
+  field("dt", header.dt);
+  field("broken", header.broken);
+  field("stopped", header.stopped);
+};
+
+LoopHeader loop_header(const NamedScene& scene, const std::string& solver);
+
+/// A simulation from its start to its end, or to where it broke.
+struct LoopRun : LoopHeader {
   Acceptance acceptance = {};
-  double dt = 0, duration = 0;  ///< s.
+  double duration = 0;  ///< s, asked for.
   std::vector<FrameRecord> frames = {};
-  std::string broken = {};  ///< Why it ended early: bodies no longer at finite speed; stopped.
-  bool stopped = false;     ///< By its limit of time or an interruption, while all was well.
-  bool driven = false;      ///< Prescribed joints do work that nobody counts.
-  bool anchored = false;    ///< Joints to the world hold forces that nobody counts.
+  bool driven = false;    ///< Prescribed joints do work that nobody counts.
+  bool anchored = false;  ///< Joints to the world hold forces that nobody counts.
   /// Centres of mass of the links, m, at the start and after every further part of the duration.
   std::vector<std::vector<Vector3d>> trail = {};
 };

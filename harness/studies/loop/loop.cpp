@@ -40,8 +40,8 @@ Column<DriftLine> largest_column(ColumnHead head, double Drift::*field, double s
 }
 
 std::vector<Column<DriftLine>> line_columns(double departure) {
-  const auto of_track = [](auto Track::*field) {
-    return [field](const DriftLine& line) -> Cell { return line.track.*field; };
+  const auto of_track = [](auto value) {
+    return [value](const DriftLine& line) -> Cell { return std::invoke(value, line.track); };
   };
   return {
       {{"label", "in the loop"}, &DriftLine::label},
@@ -49,7 +49,7 @@ std::vector<Column<DriftLine>> line_columns(double departure) {
       {{"scene"}, of_track(&Track::scene)},
       {{"solver"}, of_track(&Track::solver)},
       {{"dt_s"}, of_track(&Track::dt)},
-      {{"simulated_s"}, [](const DriftLine& line) { return line.track.simulated(); }},
+      {{"simulated_s"}, of_track(&Track::simulated)},
       {{"broken"}, of_track(&Track::broken)},
       {{"stopped"}, of_track(&Track::stopped)},
       {{"frames", "frames", "with contact"}, of_track(&Track::contact_frames)},
@@ -78,7 +78,7 @@ std::vector<Column<DriftLine>> line_columns(double departure) {
       largest_column({"depth_mm", "depth mm", "largest difference of the deepest overlap"},
                      &Drift::depth, kMillimetres),
       largest_column({"slip_mm"}, &Drift::slip, kMillimetres),
-      {{"", "end"}, [](const DriftLine& line) { return fate(line.track); }}};
+      {{"", "end"}, of_track(fate)}};
 }
 
 std::string csv_of(const LoopStudy& study) {

@@ -73,11 +73,7 @@ constexpr double kDegrees = 180 / std::numbers::pi;  // in a radian
 /// Every figure with its name; then, for a reader, the line that it stands in, its words there, what it
 /// is multiplied by, and whether it is left out where it is 0.
 constexpr auto summary_fields = [](auto& s, const auto& field) {
-  field("scene", s.scene);
-  field("solver", s.solver);
-  field("broken", s.broken);
-  field("stopped", s.stopped);
-  field("dt", s.dt);
+  loop_header_fields(s, field);
   field("duration", s.duration);
   field("steps", s.steps);
   field("total_frames", s.total_frames, "frames with contact", "{}");
@@ -119,11 +115,7 @@ constexpr auto summary_fields = [](auto& s, const auto& field) {
 
 LoopSummary summarise(const LoopRun& run, double mass, const Vector3d& gravity) {
   LoopSummary summary;
-  summary.scene = run.scene;
-  summary.solver = run.solver;
-  summary.broken = run.broken;
-  summary.stopped = run.stopped;
-  summary.dt = run.dt;
+  static_cast<LoopHeader&>(summary) = run;
   summary.duration = run.duration;
   summary.steps = static_cast<Index>(run.frames.size());
   double contacts = 0, active = 0, lcp_ns = 0, step_ns = 0, outside_ns = 0;

@@ -9,12 +9,10 @@
 namespace lcp {
 
 /// A simulation in figures. Counts are of frames with contact; `failure` counts frictional LCPs.
-struct LoopSummary {
-  std::string scene, solver, broken;
-  bool stopped = false;         ///< Broken only in that it took too long, or by an interruption.
-  double dt = 0, duration = 0;  ///< s; duration asked for.
-  Index steps = 0;              ///< Done.
-  Index total_frames = 0;       ///< Frames with contact.
+struct LoopSummary : LoopHeader {
+  double duration = 0;     ///< s, asked for.
+  Index steps = 0;         ///< Done.
+  Index total_frames = 0;  ///< Frames with contact.
   Index success = 0, failure = 0;
   Index no_solution = 0;            ///< Of failure: ray, exhausted, infeasible, false-infeasible.
   Index cycle = 0;                  ///< cycle, limit.

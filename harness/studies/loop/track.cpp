@@ -8,51 +8,55 @@
 #include "harness/fields.h"
 #include "problems/drawing/random.h"
 
-/// With its shape.
-template <int Rows, int Cols>
-struct nlohmann::adl_serializer<Eigen::Matrix<double, Rows, Cols>> {
-  using Matrix = Eigen::Matrix<double, Rows, Cols>;
-
-  static void to_json(json& json, const Matrix& matrix) {
-    json = {{"rows", matrix.rows()},
-            {"cols", matrix.cols()},
-            {"values", std::vector<double>(matrix.data(), matrix.data() + matrix.size())}};
-  }
-  static void from_json(const json& json, Matrix& matrix) {
-    const auto values = json.at("values").get<std::vector<double>>();
-    matrix.resize(json.at("rows").get<Eigen::Index>(), json.at("cols").get<Eigen::Index>());
-    if (static_cast<Eigen::Index>(values.size()) != matrix.size())
-      throw std::invalid_argument("track: a matrix has another shape than it says");
-    std::copy(values.begin(), values.end(), matrix.data());
-  }
-};
-
 namespace lcp {
 
 namespace {
 
 constexpr std::uint64_t kSeed = 1;  // of the disturbance
 
+/// A matrix as a track holds it in JSON: with its shape, which rows of a run leave out.
+template <class Matrix>
+struct Shaped {
+  Matrix& matrix;
+};
+
+template <class Matrix>
+void to_json(nlohmann::json& json, const Shaped<Matrix>& shaped) {
+  const Matrix& m = shaped.matrix;
+  json = {{"rows", m.rows()},
+          {"cols", m.cols()},
+          {"values", std::vector<double>(m.data(), m.data() + m.size())}};
+}
+
+template <class Matrix>
+void from_json(const nlohmann::json& json, Shaped<Matrix>& shaped) {
+  const auto values = json.at("values").get<std::vector<double>>();
+  shaped.matrix.resize(json.at("rows").get<Index>(), json.at("cols").get<Index>());
+  if (static_cast<Index>(values.size()) != shaped.matrix.size())
+    throw std::invalid_argument("track: a matrix has another shape than it says");
+  std::copy(values.begin(), values.end(), shaped.matrix.data());
+}
+
 constexpr auto track_fields = [](auto& track, const auto& field) {
-  field("scene", track.scene);
-  field("solver", track.solver);
-  field("dt", track.dt);
+  loop_header_fields(track, field);
   field("weight", track.weight);
-  field("broken", track.broken);
-  field("stopped", track.stopped);
   field("contact_frames", track.contact_frames);
   field("failed", track.failed);
   field("n", track.n);
   field("elapsed_s", track.elapsed_s);
-  field("lcp_s", track.lcp_s);
-  field("step_s", track.step_s);
-  field("time", track.time);
-  field("centres", track.centres);
-  field("impulse", track.impulse);
-  field("travel", track.travel);
-  field("depth", track.depth);
-  field("energy", track.energy);
-  field("residual", track.residual);
+  const auto shaped_field = [&field](const char* name, auto& matrix) {
+    Shaped<std::remove_reference_t<decltype(matrix)>> shaped{matrix};
+    field(name, shaped);
+  };
+  shaped_field("lcp_s", track.lcp_s);
+  shaped_field("step_s", track.step_s);
+  shaped_field("time", track.time);
+  shaped_field("centres", track.centres);
+  shaped_field("impulse", track.impulse);
+  shaped_field("travel", track.travel);
+  shaped_field("depth", track.depth);
+  shaped_field("energy", track.energy);
+  shaped_field("residual", track.residual);
 };
 
 /// Adds to the way that each handle has slipped what it slips in a frame.
@@ -160,12 +164,8 @@ Track run_tracked(const NamedScene& scene, const NamedSolver& solver, const Acce
   take_records(system, run, track);
   track.centres.conservativeResize(Eigen::NoChange, track.frames());
   track.travel.conservativeResize(Eigen::NoChange, track.frames());
-  track.scene = run.scene;
-  track.solver = run.solver;
-  track.dt = run.dt;
+  static_cast<LoopHeader&>(track) = run;
   track.weight = system.model.mass() * system.gravity.norm();
-  track.broken = run.broken;
-  track.stopped = run.stopped;
   return track;
 }
 

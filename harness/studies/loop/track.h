@@ -13,12 +13,10 @@ namespace lcp {
 
 /// What bodies did in a simulation, frame by frame: what two simulations are compared by. A frame's
 /// column is how things stand before that frame's forces move the bodies.
-struct Track {
-  std::string scene, solver;  ///< Full spellings.
-  double dt = 0;              ///< s.
-  double weight = 0;          ///< Of all links, N.
-  VectorXd time;              ///< Frames, s.
-  MatrixXd centres;           ///< 3 links x frames: centres of mass, m.
+struct Track : LoopHeader {
+  double weight = 0;  ///< Of all links, N.
+  VectorXd time;      ///< Frames, s.
+  MatrixXd centres;   ///< 3 links x frames: centres of mass, m.
   /// 3 mechanisms x frames, N s: what contacts have given so far to each set of links that joints
   /// hold together. Unlike single contact forces, this does not depend on how forces are shared out
   /// among redundant contacts.
@@ -26,11 +24,9 @@ struct Track {
   /// Handles x frames, m: way that each has slipped so far, the mean of its contacts' tangential
   /// speeds, weighed by their normal forces, over time.
   MatrixXd travel;
-  VectorXd depth;      ///< Frames: largest overlap, m.
-  VectorXd energy;     ///< Frames: kinetic and potential over z = 0, J.
-  VectorXd residual;   ///< Frames: natural, scaled, of the frictional answer; NaN without contact.
-  std::string broken;  ///< As LoopRun::broken, or how the process ended that simulated it.
-  bool stopped = false;      ///< As LoopRun::stopped.
+  VectorXd depth;     ///< Frames: largest overlap, m.
+  VectorXd energy;    ///< Frames: kinetic and potential over z = 0, J.
+  VectorXd residual;  ///< Frames: natural, scaled, of the frictional answer; NaN without contact.
   Index contact_frames = 0;  ///< Frames with contact,
   Index failed = 0;          ///< those whose frictional LCP failed,
   double n = 0;              ///< and mean size of it.

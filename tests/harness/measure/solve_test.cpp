@@ -17,17 +17,12 @@ VectorXd vec(std::initializer_list<double> values) {
 }
 
 /// Answers as the test says; the islands are told apart by their size.
-class Scripted final : public Solver {
- public:
-  explicit Scripted(std::function<Result(Index n, const Call&)> script)
-      : script_(std::move(script)) {}
-  Result solve(const Problem& problem, const Call& call) const override {
-    return script_(problem.size(), call);
+struct Scripted final : Solver {
+  explicit Scripted(std::function<Result(Index n, const Call&)> script) {
+    run = [script = std::move(script)](const Problem& problem, const Call& call) {
+      return script(problem.size(), call);
+    };
   }
-  OptionTable options() override { return {}; }
-
- private:
-  std::function<Result(Index, const Call&)> script_;
 };
 
 Problem problem_of_size(Index n) {
@@ -195,18 +190,17 @@ Instance two_particles(const VectorXd& mu) {
 }
 
 /// Notes size and start (or -1) of every solve: what is asked of it in which order.
-class Noting final : public Solver {
- public:
-  Result solve(const Problem& problem, const Call& call) const override {
-    asked.push_back({problem.size(), call.start ? Index(call.start->alpha.size()) : -1});
-    return solver_.solver->solve(problem, call);
+struct Noting final : Solver {
+  Noting() {
+    run = [this, best_first = make_solver("best-first")](const Problem& problem, const Call& call) {
+      asked.push_back({problem.size(), call.start ? Index(call.start->alpha.size()) : -1});
+      return best_first.solver->solve(problem, call);
+    };
   }
-  OptionTable options() override { return {}; }
+  Noting(const Noting&) = delete;
+  Noting& operator=(const Noting&) = delete;
 
-  mutable std::vector<std::pair<Index, Index>> asked;
-
- private:
-  NamedSolver solver_ = make_solver("best-first");
+  std::vector<std::pair<Index, Index>> asked;
 };
 
 TEST(SolveInTwoSteps, SolvesEachIslandInTwoStepsByItself) {

@@ -159,8 +159,9 @@ TEST(Sheet, RatiosOfCountsHaveAnOffsetAndRowsWithoutSuchWorkLeave) {
 
 /// Which of its settings are in the front, in their order.
 std::vector<bool> front_of(const std::vector<Record>& records) {
+  const Sheet sheet = make_sheet(records);
   std::vector<bool> front;
-  for (const SheetRow& row : only_group(make_sheet(records)).rows) front.push_back(row.front);
+  for (const SheetRow& row : only_group(sheet).rows) front.push_back(row.front);
   return front;
 }
 
