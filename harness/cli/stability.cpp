@@ -3,20 +3,16 @@
 #include <cstdio>
 
 #include "harness/cli/stability/parts.h"
-#include "harness/cli/verbs.h"
-#include "problems/io/replace_file.h"
+#include "harness/cli/study_output.h"
 
 namespace lcp::cli {
 
 void write_pages(const std::filesystem::path& directory, const std::string& name,
-                 const StudyPages& pages, const std::string& format) {
-  const auto file = [&](const char* ending) { return (directory / (name + ending)).string(); };
-  replace_file(file(".txt"), pages.text);
-  replace_file(file(".csv"), pages.csv);
-  replace_file(file(".json"), pages.json);
-  fmt::print("{}", format == "csv" ? pages.csv : format == "json" ? pages.json : pages.text);
+                 const Described& study, const std::string& format) {
+  write_texts(directory, name, study);
+  print(study, format);
   std::fflush(stdout);  // it stands, whatever becomes of the picture
-  if (pages.figure) draw_figure(file(".svg"), pages.figure());
+  if (!study.figure.panels.empty()) draw_figure(directory / (name + ".svg"), study.figure);
 }
 
 int report_interruption(const std::string& rows, const std::filesystem::path& directory) {

@@ -22,6 +22,22 @@ void add_study_output(CLI::App& page, StudyOutput& output, const std::string& na
       ("New directory for " + name + ".txt, .csv, .json, .svg and env.json").c_str());
 }
 
+void write_texts(const std::filesystem::path& directory, const std::string& name,
+                 const Described& study) {
+  const auto write = [&](const char* ending, const std::string& text) {
+    replace_file((directory / (name + ending)).string(), text);
+  };
+  write(".txt", study.text);
+  write(".csv", study.csv);
+  write(".json", study.json.dump(1) + "\n");
+}
+
+void print(const Described& study, const std::string& format) {
+  fmt::print("{}", format == "csv"    ? study.csv
+                   : format == "json" ? study.json.dump(1) + "\n"
+                                      : study.text);
+}
+
 int publish(const StudyOutput& output, const std::string& name,
             const std::function<Described(const std::function<void(const Progress&)>&,
                                           const std::atomic<bool>&)>& make) {
@@ -40,20 +56,13 @@ int publish(const StudyOutput& output, const std::string& name,
     fmt::print(stderr, "interrupted: nothing is written\n");
     return interrupted_by_user;
   }
-  const std::string json = study.json.dump(1) + "\n";
   if (!output.out.empty())
     write_directory(output.out, [&](const std::filesystem::path& into) {
-      const auto write = [&](const std::string& ending, const std::string& text) {
-        replace_file((into / (name + ending)).string(), text);
-      };
-      write(".txt", study.text);
-      write(".csv", study.csv);
-      write(".json", json);
+      write_texts(into, name, study);
       replace_file((into / "env.json").string(), describe_environment(1).dump(1) + "\n");
       draw_figure(into / (name + ".svg"), study.figure);
     });
-  const std::string format = output.json ? "json" : output.format;
-  fmt::print("{}", format == "json" ? json : format == "csv" ? study.csv : study.text);
+  print(study, output.json ? "json" : output.format);
   if (!output.out.empty()) fmt::print(stderr, "tables and picture are in {}\n", output.out);
   return done;
 }

@@ -9,6 +9,9 @@ namespace lcp::cli {
 
 namespace {
 
+/// By LawOutcome::Status.
+constexpr const char* outcome_words[] = {"ok", "FAIL", "n/a"};
+
 struct TestSolverArguments {
   std::string name;
 };

@@ -12,7 +12,7 @@ namespace lcp {
 
 namespace {
 
-bool holds(const std::vector<std::string>& names, const std::string& name) {
+bool contains(const std::vector<std::string>& names, const std::string& name) {
   return std::find(names.begin(), names.end(), name) != names.end();
 }
 
@@ -34,7 +34,7 @@ std::vector<std::string> climbed(const std::string& solver, const OptionTable& l
   const Spelling spelling = parse_spelling(solver);
   std::vector<std::string> settings;
   for (const Option& option : ladders)
-    if ((options.empty() || holds(options, option.name)) && !sets(spelling, option.name))
+    if ((options.empty() || contains(options, option.name)) && !sets(spelling, option.name))
       for (const std::string& value : option.accuracy_ladder)
         settings.push_back(fmt::format("{}{}{}={}", solver, spelling.settings.empty() ? ':' : ',',
                                        option.name, value));
@@ -53,7 +53,7 @@ std::vector<std::string> sweep_settings(const std::string& solver,
     throw std::invalid_argument(
         fmt::format("{} has no option that trades speed for accuracy", spelling.name));
   for (const std::string& option : options) {
-    if (!holds(names, option))
+    if (!contains(names, option))
       throw std::invalid_argument(fmt::format("{} cannot sweep '{}', it can: {}", spelling.name,
                                               option, fmt::join(names, ", ")));
     if (sets(spelling, option))

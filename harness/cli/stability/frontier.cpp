@@ -117,10 +117,7 @@ int frontier(const FrontierArguments& arguments) {
   if (!first || second.has_value() != arguments.check_seed.has_value())
     return report_interruption("the rows so far", out);
   const FrontierReport report{std::move(*first), std::move(second)};
-  write_pages(out, "frontier",
-              {frontier_text(report), frontier_csv(report), frontier_json(report).dump(1) + "\n",
-               [&] { return frontier_figure(report.first); }},
-              arguments.format);
+  write_pages(out, "frontier", described(report), arguments.format);
   fmt::print(stderr, "rows, tables, picture and environment are in {}\n", out.string());
   return done;
 }

@@ -1,11 +1,10 @@
 #pragma once
 
 #include <filesystem>
-#include <functional>
 #include <string>
 
 #include "harness/cli/verbs.h"
-#include "harness/present/figure.h"
+#include "harness/present/described.h"
 
 namespace lcp::cli {
 
@@ -15,16 +14,10 @@ Verb add_stability_perturb(CLI::App& page);
 Verb add_stability_loop(CLI::App& page);
 Verb add_stability_frontier(CLI::App& stability);
 
-/// What a study says of itself.
-struct StudyPages {
-  std::string text, csv, json;
-  std::function<Figure()> figure;  ///< Empty where there is nothing to draw.
-};
-
-/// Writes `directory`/NAME.txt, .csv, .json and .svg, and prints the page of --format. Throws
-/// UnwritableOutput.
+/// Writes a study to `directory`/NAME.txt, .csv and .json, prints it in the format, and then draws NAME.svg
+/// where it has a figure. Throws UnwritableOutput.
 void write_pages(const std::filesystem::path& directory, const std::string& name,
-                 const StudyPages& pages, const std::string& format);
+                 const Described& study, const std::string& format);
 
 /// Says that an interrupted run can go on; returns the exit status.
 int report_interruption(const std::string& rows, const std::filesystem::path& directory);

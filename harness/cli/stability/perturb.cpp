@@ -92,11 +92,6 @@ int print_disturbed_pairs(const RunPlan& plan, const PerturbOptions& options,
   return done;
 }
 
-bool anything_counted(const Flips& flips) {
-  return std::any_of(flips.rows.begin(), flips.rows.end(),
-                     [](const FlipRow& row) { return row.trials > 0; });
-}
-
 int perturb(const PerturbArguments& arguments) {
   const PerturbOptions options = options_of(arguments);
   const Measurement& measurement = arguments.measurement;
@@ -134,9 +129,7 @@ int perturb(const PerturbArguments& arguments) {
   if (interrupted)
     return report_interruption(fmt::format("{} rows", report.rows_before + report.rows), out);
   const Flips flips = count_flips(plan.instances, read_run(out), options, arguments.same);
-  StudyPages pages{flips_text(flips), flips_csv(flips), flips_json(flips).dump(1) + "\n", {}};
-  if (anything_counted(flips)) pages.figure = [&] { return flips_figure(flips); };
-  write_pages(out, "flips", pages, arguments.format);
+  write_pages(out, "flips", described(flips), arguments.format);
   fmt::print(stderr, "rows, flips, picture and environment are in {}\n", out.string());
   return done;
 }

@@ -71,13 +71,7 @@ std::vector<double> spaced(const AxisText& axis, const std::string& range, bool 
 /// The knobs of the family of a grid; throws with the list of families.
 OptionTable knobs_of(const FrontierGrid& grid) {
   const std::string name = parse_spelling(grid.family).name;
-  std::vector<std::string> names;
-  for (const FamilyRow& row : families()) {
-    if (row.info.name == name) return row.make()->options();
-    names.push_back(row.info.name);
-  }
-  throw std::invalid_argument(
-      fmt::format("unknown family '{}', known are: {}", name, fmt::join(names, ", ")));
+  return Catalogue<FamilyInfo, Family>::instance().find(name).make()->options();
 }
 
 }  // namespace

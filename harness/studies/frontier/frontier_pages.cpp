@@ -194,8 +194,6 @@ json rows_json(const Frontier& frontier) {
   return rows;
 }
 
-}  // namespace
-
 std::string frontier_text(const FrontierReport& report) {
   const FrontierPlan& plan = report.first.plan;
   std::string text = folded(fmt::format(
@@ -215,11 +213,6 @@ std::string frontier_text(const FrontierReport& report) {
   if (report.second) text += agree_legend;
   return text + fmt::format("Solved means a natural residual of at most {}, within {} s.\n",
                             plan.limits.tolerance, timeout_s(plan));
-}
-
-std::string frontier_csv(const FrontierReport& report) {
-  return csv_text(csv_cells(report.first)) +
-         (report.second ? csv_rows(csv_cells(*report.second)) : "");
 }
 
 json frontier_json(const FrontierReport& report) {
@@ -246,6 +239,15 @@ json frontier_json(const FrontierReport& report) {
                                   {"lines", all[s].lines},
                                   {"within", all[s].within}});
   return object;
+}
+
+}  // namespace
+
+Described described(const FrontierReport& report) {
+  const auto& [first, second] = report;
+  return {frontier_text(report),
+          csv_text(csv_cells(first)) + (second ? csv_rows(csv_cells(*second)) : ""),
+          frontier_json(report), frontier_figure(first)};
 }
 
 }  // namespace lcp

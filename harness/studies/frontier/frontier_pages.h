@@ -1,9 +1,8 @@
 #pragma once
 
-#include <nlohmann/json.hpp>
-#include <string>
+#include <optional>
 
-#include "harness/present/figure.h"
+#include "harness/present/described.h"
 #include "harness/studies/frontier/frontier.h"
 
 namespace lcp {
@@ -14,15 +13,10 @@ struct FrontierReport {
   std::optional<Frontier> second;
 };
 
-/// For a terminal: per solver the line with its band in every column, and how much of it the second
-/// seed reproduces.
-std::string frontier_text(const FrontierReport& report);
-
-/// A line per cell: solver, x, y, seed, draws, solved, interval, pivots, verdicts.
-std::string frontier_csv(const FrontierReport& report);
-
-/// Everything; infinite ends of bands and missing lines are null.
-nlohmann::json frontier_json(const FrontierReport& report);
+/// Text: per solver the line with its band in every column, and how much of it the second seed
+/// reproduces. CSV: a line per cell: solver, seed, x, y, draws, solved, interval, pivots, verdicts.
+/// JSON: everything; infinite ends of bands and missing lines are null. Figure: frontier_figure.
+Described described(const FrontierReport& report);
 
 /// A panel per solver: the share solved in every cell as colour and number, the 50 % line with its
 /// band, and in words how many columns have none.

@@ -136,9 +136,9 @@ void add_reason(std::vector<NotApplicable>& all, const NotApplicable& one) {
 using Entrant = std::pair<std::string, std::string>;
 
 /// Records by what makes them the same piece of work.
-class Rows {
+class DisturbedRows {
  public:
-  explicit Rows(const std::vector<Record>& records) {
+  explicit DisturbedRows(const std::vector<Record>& records) {
     for (const Record& record : records) {
       by_key_[key_of(record)] = &record;
       const Entrant entrant{record.solver, record.start};
@@ -165,7 +165,7 @@ class Rows {
 Flips count_flips(const std::vector<Instance>& instances, const std::vector<Record>& records,
                   const PerturbOptions& options, double same) {
   Flips flips{options, same, records.empty() ? 0 : records.front().tolerance, {}, {}};
-  const Rows rows(records);
+  const DisturbedRows rows(records);
   std::vector<std::string> corpora, kinds = {"baseline"};
   for (const Instance& instance : instances) append_missing(corpora, {corpus_of(instance.name)});
   for (const DisturbanceKind kind : options.kinds) kinds.push_back(to_string(kind));

@@ -4,6 +4,9 @@
 
 #include <algorithm>
 #include <utility>
+#include <vector>
+
+#include "harness/present/columns.h"
 
 namespace lcp {
 
@@ -26,7 +29,7 @@ Column<FlipRow> shown(const char* heading, const char* meaning, bool (*applies)(
           [=](const FlipRow& row) { return applies(row) ? Cell(value(row)) : Cell(); }};
 }
 
-std::string share(Index part, Index whole) { return fmt::format("{}/{}", part, whole); }
+std::string out_of(Index part, Index whole) { return fmt::format("{}/{}", part, whole); }
 
 FlipColumns read_columns() {
   const auto tried = [](const FlipRow& row) { return row.trials > 0; };
@@ -61,19 +64,20 @@ FlipColumns read_columns() {
       shown("other", "solved in neither, and another verdict", has_rate,
             [](const FlipRow& row) { return row.other_changes; }),
       shown("flipped", "instances with a flip, of those tried", has_rate,
-            [](const FlipRow& row) { return share(row.instances_flipped, row.instances); }),
+            [](const FlipRow& row) { return out_of(row.instances_flipped, row.instances); }),
       shown("z's", "instances with more than one solution, of those solved twice or more", has_rate,
-            [](const FlipRow& row) { return share(row.several, row.compared); }),
+            [](const FlipRow& row) { return out_of(row.several, row.compared); }),
       shown("most", "solutions told apart on one instance", has_rate,
             [](const FlipRow& row) { return row.most_distinct; }),
       if_any(shown(
           "same w",
           "of the solved runs whose z is not the undisturbed one's (the first solved run's), "
           "those whose w is",
-          other_z, [](const FlipRow& row) { return share(row.other_z_same_w, row.other_z); })),
+          other_z, [](const FlipRow& row) { return out_of(row.other_z_same_w, row.other_z); })),
       if_any(shown(
           "same v", "and those that move the contacts alike: v+ = W f + vbar (w without contacts)",
-          other_z, [](const FlipRow& row) { return share(row.other_z_same_motion, row.other_z); })),
+          other_z,
+          [](const FlipRow& row) { return out_of(row.other_z_same_motion, row.other_z); })),
       shown("pivots", "median over the solved runs", tried,
             [](const FlipRow& row) { return cell_of(row.pivots); }),
       shown("spread", "most over least pivots on one instance: median, largest", spread,
@@ -85,8 +89,7 @@ FlipColumns read_columns() {
       left_out("not run", "instances too large, left out", &FlipRow::not_run)};
 }
 
-}  // namespace
-
+/// A row as programs read it. Rates are null where nothing was measured.
 FlipColumns flip_columns() {
   FlipColumns columns = {{{"corpus"}, [](const FlipRow& row) { return row.corpus; }},
                          {{"solver"}, [](const FlipRow& row) { return row.solver; }},
@@ -154,12 +157,6 @@ std::string flips_text(const Flips& flips) {
              options.seed));
 }
 
-std::string flips_csv(const Flips& flips) {
-  FlipColumns columns = flip_columns();
-  std::erase_if(columns, [](const Column<FlipRow>& column) { return column.key == "label"; });
-  return csv_text(cells_of(columns, flips.rows));
-}
-
 nlohmann::ordered_json flips_json(const Flips& flips) {
   nlohmann::ordered_json whole = {{"options", nlohmann::json(flips.options)},
                                   {"same", flips.same},
@@ -173,6 +170,19 @@ nlohmann::ordered_json flips_json(const Flips& flips) {
                                        {"reason", each.reason},
                                        {"instances", each.instances}});
   return whole;
+}
+
+}  // namespace
+
+Described described(const Flips& flips) {
+  Described all{.text = flips_text(flips), .json = flips_json(flips)};
+  FlipColumns columns = flip_columns();
+  std::erase_if(columns, [](const Column<FlipRow>& column) { return column.key == "label"; });
+  all.csv = csv_text(cells_of(columns, flips.rows));
+  if (std::any_of(flips.rows.begin(), flips.rows.end(),
+                  [](const FlipRow& row) { return row.trials > 0; }))
+    all.figure = flips_figure(flips);
+  return all;
 }
 
 }  // namespace lcp

@@ -273,13 +273,12 @@ std::string text(const Replay& replay, const std::string& title, Index n) {
 }
 
 Json json(const Replay& replay, Index n) {
-  static constexpr const char* comparisons[] = {"path", "search", "none"};
   Json out = {{"claim", to_string(replay.claim)},
               {"message", replay.message},
               {"verdict", to_string(replay.judgement.verdict)},
               {"residual", number(replay.judgement.accuracy.residual)},
               {"basis_residual", nullptr},
-              {"comparison", comparisons[static_cast<int>(replay.comparison)]},
+              {"comparison", to_string(replay.comparison)},
               {"island", replay.island + 1},
               {"islands", replay.islands},
               {"pivots", replay.steps.size()}};

@@ -133,11 +133,11 @@ TEST_F(FrontierRun, ResumedAfterInterruptionsComesToTheSameEnd) {
   for (const std::size_t pairs : {1u, 5u, 40u})
     EXPECT_FALSE(run("r", noisy_plan(), Existing::resume, pairs).has_value());
   const Frontier resumed = *run("r", noisy_plan(), Existing::resume);
-  EXPECT_EQ(frontier_json({whole, {}}), frontier_json({resumed, {}}));
+  EXPECT_EQ(described({whole, {}}).json, described({resumed, {}}).json);
   EXPECT_EQ(read_run(at("r")).size(), read_run(at("whole")).size()) << "no pair twice";
   const std::string rows = read_text(at("r/rows.jsonl"));
-  EXPECT_EQ(frontier_csv({*run("r", noisy_plan(), Existing::resume), {}}),
-            frontier_csv({whole, {}}));
+  EXPECT_EQ(described({*run("r", noisy_plan(), Existing::resume), {}}).csv,
+            described({whole, {}}).csv);
   EXPECT_EQ(read_text(at("r/rows.jsonl")), rows) << "nothing was left to do";
 }
 
@@ -176,18 +176,18 @@ TEST_F(FrontierRun, ASecondSeedReproducesWhatIsExactAndCanContradict) {
 
 TEST_F(FrontierRun, IsToldInTextCsvAndJson) {
   const Frontier& found = exact_frontier();
-  const std::string text = frontier_text({found, found});
+  const std::string text = described({found, found}).text;
   EXPECT_NE(text.find("2.5 [2.02, 2.98]"), std::string::npos) << text;
   EXPECT_NE(text.find("2 of 2 (2 of 2)"), std::string::npos) << text;
   EXPECT_NE(text.find("liar"), std::string::npos) << text;
   EXPECT_NE(text.find("agree in 6 of 6 columns; of 2 lines that both find"), std::string::npos)
       << text;
 
-  const std::string csv = frontier_csv({found, {}});
+  const std::string csv = described({found, {}}).csv;
   EXPECT_EQ(std::count(csv.begin(), csv.end(), '\n'), 1 + 3 * 2 * 4);
   EXPECT_NE(csv.find("liar,1,10,4,4,4,0,0.0000,0.4899,,wrong 4\n"), std::string::npos) << csv;
 
-  const nlohmann::json json = frontier_json({found, {}});
+  const nlohmann::json json = described({found, {}}).json;
   EXPECT_EQ(json.at("rows")[0].at("columns")[1].at("line"), "crossing");
   EXPECT_EQ(json.at("rows")[0].at("columns")[1].at("y"), 2.5);
   EXPECT_EQ(json.at("rows")[2].at("columns")[0].at("line"), "below");
@@ -196,7 +196,7 @@ TEST_F(FrontierRun, IsToldInTextCsvAndJson) {
 
 TEST_F(FrontierRun, IsDrawnWithAPanelPerSolverAndANoteWhereThereIsNoLine) {
   const Frontier& found = exact_frontier();
-  const Figure figure = frontier_figure(found);
+  const Figure figure = described({found, {}}).figure;
   const auto note_of = [&](const std::string& solver) {
     for (const Panel& panel : figure.panels)
       if (panel.title == solver) return panel.series.back().marks.at(0).text;

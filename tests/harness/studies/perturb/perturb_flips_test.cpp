@@ -181,7 +181,7 @@ Flips small_flips() {
 
 TEST(FlipRendering, SaysTheSameInEveryFormat) {
   const Flips flips = small_flips();
-  const nlohmann::json json = flips_json(flips);
+  const nlohmann::json json = described(flips).json;
   ASSERT_EQ(json.at("rows").size(), 3u);
   EXPECT_EQ(json.at("rows")[1].at("flips"), 1);
   EXPECT_EQ(json.at("rows")[1].at("flip_rate"), 0.5);
@@ -189,7 +189,7 @@ TEST(FlipRendering, SaysTheSameInEveryFormat) {
   EXPECT_EQ(json.at("not_applicable")[0].at("reason"), "no contact has friction");
   EXPECT_EQ(json.at("options").get<PerturbOptions>(), flips.options);
 
-  std::istringstream csv(flips_csv(flips));
+  std::istringstream csv(described(flips).csv);
   std::string head, baseline, noisy;
   std::getline(csv, head);
   std::getline(csv, baseline);
@@ -199,7 +199,7 @@ TEST(FlipRendering, SaysTheSameInEveryFormat) {
   EXPECT_EQ(std::count(head.begin(), head.end(), ',') + 1,
             std::count(noisy.begin(), noisy.end(), ','));
 
-  const std::string text = flips_text(flips);
+  const std::string text = described(flips).text;
   EXPECT_NE(text.find("rotation unsupported for 1 instance: no contact has friction"),
             std::string::npos)
       << text;
@@ -212,6 +212,7 @@ TEST(FlipChart, IsDrawn) {
   EXPECT_EQ(complaint_about_xml(svg), "");
   EXPECT_NE(svg.find("last-bit noise"), std::string::npos);
   EXPECT_THROW(flips_figure(Flips{}), std::invalid_argument);
+  EXPECT_TRUE(described(Flips{}).figure.panels.empty());
 }
 
 }  // namespace
