@@ -18,7 +18,7 @@ constexpr double row_height = 27, letter = 6.6;
 constexpr double series_step = 0.17;
 /// The end of an axis over the largest value, so that its mark is whole.
 constexpr double linear_room = 1.08, log_room = 1.3;
-constexpr double log_beyond = 30, ticks_beyond = 300;
+constexpr double log_beyond = 30;
 
 Axis axis_of(const DotPanel& panel) {
   double low = INFINITY, high = 0;
@@ -30,7 +30,10 @@ Axis axis_of(const DotPanel& panel) {
       }
   if (low > 0 && high > log_beyond * low) {
     Axis axis{.low = low / log_room, .high = log_room * high, .scale = Axis::Scale::log};
-    if (high < ticks_beyond * low) axis.ticks = round_ticks(axis.low, axis.high, 4, axis.scale);
+    axis.ticks = round_ticks(axis.low, axis.high, 4, axis.scale);
+    double wide = 0;
+    for (const Tick& tick : axis.ticks) wide += letter * static_cast<double>(tick.label.size() + 1);
+    if (wide > plot_width) axis.ticks.clear();  // Powers of ten alone.
     return axis;
   }
   Axis axis{.high = high > 0 ? linear_room * high : 1};
