@@ -11,7 +11,7 @@ namespace lcp {
 namespace {
 
 /// Pixels.
-constexpr double dots_width = 1240, margin = 20, head = 84;
+constexpr double dots_width = 1240, dots_margin = 20, dots_head = 84;
 constexpr double plot_width = 200, plot_gap = 30, title_height = 30, axis_height = 32;
 constexpr double row_height = 27, letter = 6.6;
 /// Of a row's height: between the marks of two series, which would hide one another.
@@ -63,18 +63,18 @@ Figure figure_of(const DotPage& page) {
   Figure figure{.title = page.title,
                 .caption = page.caption,
                 .width = dots_width,
-                .height = head,
+                .height = dots_head,
                 .legend = page.legend,
-                .legend_area = {margin, dots_width - 2 * margin, head - 40, 20}};
-  double left = margin, top = head;
+                .legend_area = {dots_margin, dots_width - 2 * dots_margin, dots_head - 40, 20}};
+  double left = dots_margin, top = dots_head;
   for (const DotPanel& panel : page.panels) {
     const auto rows = static_cast<double>(panel.rows.size());
     double names = 10;
     for (const std::string& row : panel.rows)
       names = std::max(names, letter * static_cast<double>(row.size()) + 10);
     bool named = &panel == &page.panels.front() || panel.rows != (&panel - 1)->rows;
-    if (left + (named ? names : 0) + plot_width > dots_width - margin) {
-      left = margin;
+    if (left + (named ? names : 0) + plot_width > dots_width - dots_margin) {
+      left = dots_margin;
       top = figure.height;
       named = true;
     }

@@ -9,17 +9,17 @@ namespace lcp {
 
 namespace {
 
-constexpr const char *whole = "{:.0f}", *truth = "1 if so";
+constexpr const char *whole_number = "{:.0f}", *truth_value = "1 if so";
 constexpr bool by_criterion = true;
 
 }  // namespace
 
 Cell PaperQuantity::stated(const std::optional<double>& value) const {
-  return value && number == whole ? Cell(static_cast<Index>(*value)) : cell_of(value);
+  return value && number == whole_number ? Cell(static_cast<Index>(*value)) : cell_of(value);
 }
 
 Cell PaperQuantity::for_reader(const Cell& value) const {
-  return unit == truth && !value.is_null() ? Cell(value != 0) : value;
+  return unit == truth_value && !value.is_null() ? Cell(value != 0) : value;
 }
 
 const std::vector<PaperQuantity>& paper_quantities() {
@@ -28,19 +28,19 @@ const std::vector<PaperQuantity>& paper_quantities() {
       {{"delta", "threshold delta", "", "{:.0e}"}, ""},
       {{"contacts", "contacts", "", "{:.2f}"}, ""},
       {{"active", "active", "", "{:.2f}"}, ""},
-      {{"total_frames", "total frames", "", whole}, "frames"},
-      {{"success", "success", "", whole}, "frames", by_criterion},
-      {{"failure", "failure", "", whole}, "frames", by_criterion},
-      {{"no_solution", "  no solution", "", whole}, "frames", by_criterion},
-      {{"cycle", "  cycle", "", whole}, "frames", by_criterion},
-      {{"error", "  error", "", whole}, "frames", by_criterion},
-      {{"unsupported", "unsupported", "", whole}, "frames", by_criterion},
+      {{"total_frames", "total frames", "", whole_number}, "frames"},
+      {{"success", "success", "", whole_number}, "frames", by_criterion},
+      {{"failure", "failure", "", whole_number}, "frames", by_criterion},
+      {{"no_solution", "  no solution", "", whole_number}, "frames", by_criterion},
+      {{"cycle", "  cycle", "", whole_number}, "frames", by_criterion},
+      {{"error", "  error", "", whole_number}, "frames", by_criterion},
+      {{"unsupported", "unsupported", "", whole_number}, "frames", by_criterion},
       {{"lcp_time_ms", "LCP solve time (ms)", "", "{:.3f}"}, "ms"},
       {{"simulation_time_ms", "simulation time (ms)", "", "{:.3f}"}, "ms"},
-      {{"total_pivots", "total pivots", "", whole}, "pivots"},
-      {{"frictionless_failures", "frictionless failed", "", whole}, "frames", by_criterion},
-      {{"both_failures", "both failed", "", whole}, "frames", by_criterion},
-      {{"fell", "fell", "", whole}, truth},
+      {{"total_pivots", "total pivots", "", whole_number}, "pivots"},
+      {{"frictionless_failures", "frictionless failed", "", whole_number}, "frames", by_criterion},
+      {{"both_failures", "both failed", "", whole_number}, "frames", by_criterion},
+      {{"fell", "fell", "", whole_number}, truth_value},
       {{"tilt_max", "tilt at most (deg)", "", "{:.1f}", 180 / M_PI}, "rad"},
       {{"depth_max", "penetration (mm)", "", "{:.3g}", 1e3}, "m"},
       {{"energy_excess", "energy excess (%)", "", "{:.2g}", 100}, ""},
@@ -51,10 +51,10 @@ const std::vector<PaperQuantity>& paper_quantities() {
       {{"residual_max", "residual, largest", "", "{:.1e}"}, "", by_criterion},
       {{"nodes", "nodes, mean", "", "{:.1f}"}, ""},
       {{"pivots", "pivots, mean", "", "{:.1f}"}, ""},
-      {{"wrong", "wrong", "", whole}, "frames", by_criterion},
-      {{"unclaimed", "unclaimed", "", whole}, "frames", by_criterion},
-      {{"not_run", "not run", "", whole}, "frames"},
-      {{"trivial", "trivial, of success", "", whole}, "frames", by_criterion},
+      {{"wrong", "wrong", "", whole_number}, "frames", by_criterion},
+      {{"unclaimed", "unclaimed", "", whole_number}, "frames", by_criterion},
+      {{"not_run", "not run", "", whole_number}, "frames"},
+      {{"trivial", "trivial, of success", "", whole_number}, "frames", by_criterion},
       {{"time_median_ms", "median time (ms)", "", "{:.3f}"}, "ms"},
   };
   return all;

@@ -172,24 +172,24 @@ Cell json_of(const PaperTable& table) {
   for (const PaperLayer& layer : table.layers)
     for (const Cell& row : layer.rows)
       if (!row.is_null()) rows.push_back(row);
-  Cell json = {{"title", table.published.title}, {"source", table.source}, {"rows", rows}};
-  if (!table.sweep.empty()) json["delta_sweep"] = table.sweep;
-  if (!table.plan.by_scene()) return json;
+  Cell object = {{"title", table.published.title}, {"source", table.source}, {"rows", rows}};
+  if (!table.sweep.empty()) object["delta_sweep"] = table.sweep;
+  if (!table.plan.by_scene()) return object;
   for (const PaperHoists& each : table.hoists) {
     ratios.push_back({{"solver", each.solver}, {"value", each.time_ratio}});
     distances.push_back({{"solver", each.solver},
                          {"value", each.end_distance},
                          {"holds", is_small(each.end_distance)}});
   }
-  json["ratio"] = {{"of", "simulation_time_ms * total_frames, hoist over hoist:10ms"},
-                   {"published", table.told_ratio},
-                   {"published_cells", table.printed_ratio},
-                   {"measured", ratios}};
-  json["distance"] = {
+  object["ratio"] = {{"of", "simulation_time_ms * total_frames, hoist over hoist:10ms"},
+                     {"published", table.told_ratio},
+                     {"published_cells", table.printed_ratio},
+                     {"measured", ratios}};
+  object["distance"] = {
       {"of", "links of hoist:10ms from those of hoist at the end, mean, over the length"},
       {"expected_at_most", same_motion},
       {"measured", distances}};
-  return json;
+  return object;
 }
 
 void add_value(CellTable& lines, const Cell& row, const char* part, const std::string& quantity,

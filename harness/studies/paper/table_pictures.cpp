@@ -15,8 +15,8 @@ std::string unindented(const std::string& label) {
 }
 
 /// Columns of the choices.
-constexpr std::array<std::string_view, 4> pictured = {"failures", "nodes a frame",
-                                                      "violated contacts", "penetration (mm)"};
+constexpr std::array<std::string_view, 4> pictured_choices = {
+    "failures", "nodes a frame", "violated contacts", "penetration (mm)"};
 
 constexpr const char* fell_in_the_loop = "in the loop, fell";
 
@@ -31,7 +31,7 @@ LegendEntry entry_of(const std::string& name, std::size_t place) {
 }
 
 /// The place of a name in the legend, where it is put if it is new.
-std::size_t entry(DotPage& page, const std::string& name) {
+std::size_t legend_place(DotPage& page, const std::string& name) {
   const auto found = std::find_if(page.legend.begin(), page.legend.end(),
                                   [&](const LegendEntry& each) { return each.name == name; });
   const auto place = static_cast<std::size_t>(found - page.legend.begin());
@@ -45,7 +45,7 @@ void add_panel(DotPage& page, const std::string& title, const std::vector<std::s
                const std::vector<std::pair<std::string, std::vector<Cell>>>& series) {
   page.panels.push_back({title, rows, {}});
   for (const auto& [name, cells] : series) {
-    page.panels.back().series.push_back({entry(page, name), {}});
+    page.panels.back().series.push_back({legend_place(page, name), {}});
     for (const Cell& cell : cells)
       page.panels.back().series.back().values.push_back(
           cell.is_null() ? NAN : head.scale * cell.get<double>());
@@ -102,7 +102,7 @@ DotPage picture_of(const std::vector<ChoiceTable>& tables) {
       rows.back().replace(quote, 1, "\u2019");
   }
   for (const Column<LoopColumn>& column : choice_columns()) {
-    if (std::count(pictured.begin(), pictured.end(), column.key) == 0) continue;
+    if (std::count(pictured_choices.begin(), pictured_choices.end(), column.key) == 0) continue;
     std::vector<std::pair<std::string, std::vector<Cell>>> series;
     for (const ChoiceTable& table : tables) {
       series.push_back({table.scene, {}});

@@ -22,7 +22,7 @@ namespace {
 namespace fs = std::filesystem;
 using nlohmann::json;
 
-constexpr auto silence = std::chrono::minutes(2);  ///< A step may last.
+constexpr auto step_silence = std::chrono::minutes(2);  ///< A step may last.
 
 /// Held until the descriptor is closed. Child processes do not inherit it.
 FileDescriptor lock(const fs::path& directory) {
@@ -92,7 +92,7 @@ void simulate_all(const PaperDirectory& directory, const std::vector<SimulatedTa
     state.total += task.steps;
   }
   run_children(
-      work, jobs, silence,
+      work, jobs, step_silence,
       [&](const ChildEnd& end) {
         state.done += tasks[end.task].steps - beats[end.task];  // those that it did not come to
         if (!end.failure.empty()) tasks[end.task].failed(end.failure);
