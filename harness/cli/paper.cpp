@@ -84,10 +84,7 @@ int print_table(const PaperArguments& arguments) {
 }
 
 int print_choices(const PaperArguments& arguments) {
-  return print(reproduction(arguments, "choices", 2), arguments,
-               [](const Reproduction& with, const auto& interrupted) {
-                 return decide_each_way(with, interrupted);
-               });
+  return print(reproduction(arguments, "choices", 2), arguments, decide_each_way);
 }
 
 /// Draws a figure and prints what ran for it, or its data.

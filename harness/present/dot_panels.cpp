@@ -11,14 +11,14 @@ namespace lcp {
 namespace {
 
 /// Pixels.
-constexpr double dots_width = 1240, margin = 20, head = 84;
+constexpr double dots_width = 1240, dots_margin = 20, dots_head = 84;
 constexpr double plot_width = 200, plot_gap = 30, title_height = 30, axis_height = 32;
 constexpr double row_height = 27, letter = 6.6;
 /// Of a row's height: between the marks of two series, which would hide one another.
 constexpr double series_step = 0.17;
 /// The end of an axis over the largest value, so that its mark is whole.
 constexpr double linear_room = 1.08, log_room = 1.3;
-constexpr double log_beyond = 30, ticks_beyond = 300;
+constexpr double log_beyond = 30;
 
 Axis axis_of(const DotPanel& panel) {
   double low = INFINITY, high = 0;
@@ -30,7 +30,10 @@ Axis axis_of(const DotPanel& panel) {
       }
   if (low > 0 && high > log_beyond * low) {
     Axis axis{.low = low / log_room, .high = log_room * high, .scale = Axis::Scale::log};
-    if (high < ticks_beyond * low) axis.ticks = round_ticks(axis.low, axis.high, 4, axis.scale);
+    axis.ticks = round_ticks(axis.low, axis.high, 4, axis.scale);
+    double wide = 0;
+    for (const Tick& tick : axis.ticks) wide += letter * static_cast<double>(tick.label.size() + 1);
+    if (wide > plot_width) axis.ticks.clear();  // Powers of ten alone.
     return axis;
   }
   Axis axis{.high = high > 0 ? linear_room * high : 1};
@@ -60,18 +63,18 @@ Figure figure_of(const DotPage& page) {
   Figure figure{.title = page.title,
                 .caption = page.caption,
                 .width = dots_width,
-                .height = head,
+                .height = dots_head,
                 .legend = page.legend,
-                .legend_area = {margin, dots_width - 2 * margin, head - 40, 20}};
-  double left = margin, top = head;
+                .legend_area = {dots_margin, dots_width - 2 * dots_margin, dots_head - 40, 20}};
+  double left = dots_margin, top = dots_head;
   for (const DotPanel& panel : page.panels) {
     const auto rows = static_cast<double>(panel.rows.size());
     double names = 10;
     for (const std::string& row : panel.rows)
       names = std::max(names, letter * static_cast<double>(row.size()) + 10);
     bool named = &panel == &page.panels.front() || panel.rows != (&panel - 1)->rows;
-    if (left + (named ? names : 0) + plot_width > dots_width - margin) {
-      left = margin;
+    if (left + (named ? names : 0) + plot_width > dots_width - dots_margin) {
+      left = dots_margin;
       top = figure.height;
       named = true;
     }

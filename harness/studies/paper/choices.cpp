@@ -24,7 +24,7 @@ std::string written(const ColumnHead& head, const Cell& value) {
 }
 
 /// A figure of the summary by its name.
-std::function<Cell(const LoopColumn&)> figure(const char* name) {
+std::function<Cell(const LoopColumn&)> figure_named(const char* name) {
   return [name](const LoopColumn& column) -> Cell { return figures_of(column.summary).at(name); };
 }
 
@@ -84,20 +84,20 @@ std::string json_of(const std::vector<ChoiceTable>& tables) {
 
 const std::vector<Column<LoopColumn>>& choice_columns() {
   static const std::vector<Column<LoopColumn>> all = {
-      {{"frames", "frames", "with contact"}, figure("total_frames")},
+      {{"frames", "frames", "with contact"}, figure_named("total_frames")},
       {{"failures", "failed",
         "frictional LCPs not solved on the full LCP, at a natural residual of 1e-6 (the paper's "
         "constants and the last active-only row: by its criterion at 1e-3)"},
-       figure("failure")},
+       figure_named("failure")},
       {{"frictionless failures", "smooth", "frictionless LCPs not solved"},
-       figure("frictionless_failures")},
+       figure_named("frictionless_failures")},
       {{"nodes a frame", "nodes", "opened a frame", "{:.1f}"}, nodes_a_frame},
       {{"violated contacts", "closing",
         "contacts that close faster than 1e-6 of the fastest under the forces that act"},
-       figure("violated")},
+       figure_named("violated")},
       {{"residual, median", "resid.", "median natural residual of the solved", "{:.1e}"},
-       figure("residual_median")},
-      {{"penetration (mm)", "mm", "deepest penetration", "{:.3g}", 1e3}, figure("depth_max")},
+       figure_named("residual_median")},
+      {{"penetration (mm)", "mm", "deepest penetration", "{:.3g}", 1e3}, figure_named("depth_max")},
       {{"fell", "fell", "tilted by more than 45 degrees, or ended early"},
        [](const LoopColumn& column) { return Cell(column.fell()); }}};
   return all;

@@ -123,9 +123,9 @@ PaperTable set_together(const PaperPlan& plan, const PaperColumns& columns) {
   for (std::size_t line = 0; line < lines; ++line) {
     PaperLayer layer{by_scene ? plan.solvers[line].heading : plan.scenes[line].name, "", false, {}};
     for (std::size_t i = 0; i < table.columns.size(); ++i) {
-      const std::size_t at = by_scene ? i : line;
-      const PaperColumn& solver = plan.solvers[by_scene ? line : i];
-      const LoopColumn& column = columns.in_loop[by_scene ? line : i][at];
+      const auto [by, at] = by_scene ? std::pair(line, i) : std::pair(i, line);
+      const PaperColumn& solver = plan.solvers[by];
+      const LoopColumn& column = columns.in_loop[by][at];
       const LoopSummary& summary = column.summary;
       Cell row = loop_object(table.published, table.columns[i].name, column);
       if (by_scene)

@@ -51,7 +51,7 @@ inline constexpr Acceptance second_look{Acceptance::Criterion::residual, 1e-6};
 
 /// The plan of Table `table`: 1, 2 or 3, whose columns are `hoist` at 1 and 10 ms, `ring` and `net`.
 /// With `all_solvers` also the rest of the own rows, in Table III with `limit`. Throws
-/// std::invalid_argument on another number.
+/// std::invalid_argument on a table that is not published.
 PaperPlan paper_plan(int table, bool all_solvers, double limit = 600);
 
 /// The paper's solver at its constants.

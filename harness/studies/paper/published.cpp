@@ -21,31 +21,36 @@ PublishedTable parse_table(const nlohmann::json& object) {
                        .rows = {},
                        .notes = object.at("notes")};
   for (const nlohmann::json& each : object.at("rows")) {
-    PublishedTable::Row& row = table.rows[each.at("row")];
-    row.at_most = each.value("at_most", false);
+    PublishedTable::Row row{each.at("row"), {}, each.value("at_most", false)};
     for (const nlohmann::json& value : each.at("values"))
       row.values.push_back(value.is_null() ? std::optional<double>() : value.get<double>());
     if (row.values.size() != table.columns.size())
       throw std::invalid_argument(fmt::format("row '{}': {} values, expected {}, one per column",
-                                              each.at("row").get<std::string>(), row.values.size(),
-                                              table.columns.size()));
+                                              row.key, row.values.size(), table.columns.size()));
+    table.rows.push_back(std::move(row));
   }
   return table;
 }
 
 }  // namespace
 
+const PublishedTable::Row* PublishedTable::find(const std::string& key) const {
+  for (const Row& each : rows)
+    if (each.key == key) return &each;
+  return nullptr;
+}
+
 std::optional<double> PublishedTable::value(const std::string& row,
                                             const std::string& column) const {
-  const auto place = std::find(columns.begin(), columns.end(), column);
-  const auto found = rows.find(row);
-  if (place == columns.end() || found == rows.end()) return std::nullopt;
-  return found->second.values[static_cast<std::size_t>(place - columns.begin())];
+  const Row* found = find(row);
+  for (std::size_t i = 0; found && i < columns.size(); ++i)
+    if (columns[i] == column) return found->values[i];
+  return std::nullopt;
 }
 
 bool PublishedTable::at_most(const std::string& row) const {
-  const auto found = rows.find(row);
-  return found != rows.end() && found->second.at_most;
+  const Row* found = find(row);
+  return found && found->at_most;
 }
 
 bool PublishedTable::departs(const std::string& row, const std::string& column,

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -11,6 +10,7 @@ namespace lcp {
 struct PublishedTable {
   /// A quantity, under the name that `table --format json` gives it.
   struct Row {
+    std::string key;
     std::vector<std::optional<double>> values;  ///< One per column; empty where nothing is stated.
     bool at_most = false;  ///< Each value is an upper bound: of the text, which gives no table.
   };
@@ -18,7 +18,7 @@ struct PublishedTable {
   int table = 0;
   std::string title, section;
   std::vector<std::string> columns;
-  std::map<std::string, Row> rows;
+  std::vector<Row> rows;
   std::vector<std::string> notes;  ///< What the paper's text adds.
 
   /// Empty where the paper states nothing, also for rows and columns that it does not have.
@@ -28,6 +28,9 @@ struct PublishedTable {
   /// Whether a measured value is far_from the published one, or above one that is an upper bound;
   /// false where the paper states nothing.
   bool departs(const std::string& row, const std::string& column, double measured) const;
+
+ private:
+  const Row* find(const std::string& key) const;  ///< Null where there is none.
 };
 
 /// paper/published.json.

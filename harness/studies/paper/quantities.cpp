@@ -4,68 +4,58 @@
 
 #include <cmath>
 #include <stdexcept>
-#include <utility>
 
 namespace lcp {
 
 namespace {
 
-constexpr const char *whole = "{:.0f}", *truth = "1 if so";
+constexpr const char *whole_number = "{:.0f}", *truth_value = "1 if so";
 constexpr bool by_criterion = true;
 
 }  // namespace
 
-PaperQuantity::PaperQuantity(std::string key_, std::string heading_, std::string unit_,
-                             std::string number_, double scale_, bool judged_)
-    : unit(std::move(unit_)), judged(judged_) {
-  key = std::move(key_);
-  heading = std::move(heading_);
-  number = std::move(number_);
-  scale = scale_;
-}
-
 Cell PaperQuantity::stated(const std::optional<double>& value) const {
-  return value && number == whole ? Cell(static_cast<Index>(*value)) : cell_of(value);
+  return value && number == whole_number ? Cell(static_cast<Index>(*value)) : cell_of(value);
 }
 
 Cell PaperQuantity::for_reader(const Cell& value) const {
-  return unit == truth && !value.is_null() ? Cell(value != 0) : value;
+  return unit == truth_value && !value.is_null() ? Cell(value != 0) : value;
 }
 
 const std::vector<PaperQuantity>& paper_quantities() {
   static const std::vector<PaperQuantity> all = {
-      {"duration", "duration (s)", "s", "{:g}"},
-      {"delta", "threshold delta", "", "{:.0e}"},
-      {"contacts", "contacts", "", "{:.2f}"},
-      {"active", "active", "", "{:.2f}"},
-      {"total_frames", "total frames", "frames"},
-      {"success", "success", "frames", whole, 1, by_criterion},
-      {"failure", "failure", "frames", whole, 1, by_criterion},
-      {"no_solution", "  no solution", "frames", whole, 1, by_criterion},
-      {"cycle", "  cycle", "frames", whole, 1, by_criterion},
-      {"error", "  error", "frames", whole, 1, by_criterion},
-      {"unsupported", "unsupported", "frames", whole, 1, by_criterion},
-      {"lcp_time_ms", "LCP solve time (ms)", "ms", "{:.3f}"},
-      {"simulation_time_ms", "simulation time (ms)", "ms", "{:.3f}"},
-      {"total_pivots", "total pivots", "pivots"},
-      {"frictionless_failures", "frictionless failed", "frames", whole, 1, by_criterion},
-      {"both_failures", "both failed", "frames", whole, 1, by_criterion},
-      {"fell", "fell", truth},
-      {"tilt_max", "tilt at most (deg)", "rad", "{:.1f}", 180 / M_PI},
-      {"depth_max", "penetration (mm)", "m", "{:.3g}", 1e3},
-      {"energy_excess", "energy excess (%)", "", "{:.2g}", 100},
-      {"work", "work of pulls (J)", "J", "{:.3g}"},
-      {"gap_end", "loops open (mm)", "m", "{:.1e}", 1e3},
-      {"force_mismatch", "force mismatch (%)", "", "{:.2g}", 100},
-      {"residual_median", "residual, median", "", "{:.1e}", 1, by_criterion},
-      {"residual_max", "residual, largest", "", "{:.1e}", 1, by_criterion},
-      {"nodes", "nodes, mean", "", "{:.1f}"},
-      {"pivots", "pivots, mean", "", "{:.1f}"},
-      {"wrong", "wrong", "frames", whole, 1, by_criterion},
-      {"unclaimed", "unclaimed", "frames", whole, 1, by_criterion},
-      {"not_run", "not run", "frames"},
-      {"trivial", "trivial, of success", "frames", whole, 1, by_criterion},
-      {"time_median_ms", "median time (ms)", "ms", "{:.3f}"},
+      {{"duration", "duration (s)", "", "{:g}"}, "s"},
+      {{"delta", "threshold delta", "", "{:.0e}"}, ""},
+      {{"contacts", "contacts", "", "{:.2f}"}, ""},
+      {{"active", "active", "", "{:.2f}"}, ""},
+      {{"total_frames", "total frames", "", whole_number}, "frames"},
+      {{"success", "success", "", whole_number}, "frames", by_criterion},
+      {{"failure", "failure", "", whole_number}, "frames", by_criterion},
+      {{"no_solution", "  no solution", "", whole_number}, "frames", by_criterion},
+      {{"cycle", "  cycle", "", whole_number}, "frames", by_criterion},
+      {{"error", "  error", "", whole_number}, "frames", by_criterion},
+      {{"unsupported", "unsupported", "", whole_number}, "frames", by_criterion},
+      {{"lcp_time_ms", "LCP solve time (ms)", "", "{:.3f}"}, "ms"},
+      {{"simulation_time_ms", "simulation time (ms)", "", "{:.3f}"}, "ms"},
+      {{"total_pivots", "total pivots", "", whole_number}, "pivots"},
+      {{"frictionless_failures", "frictionless failed", "", whole_number}, "frames", by_criterion},
+      {{"both_failures", "both failed", "", whole_number}, "frames", by_criterion},
+      {{"fell", "fell", "", whole_number}, truth_value},
+      {{"tilt_max", "tilt at most (deg)", "", "{:.1f}", 180 / M_PI}, "rad"},
+      {{"depth_max", "penetration (mm)", "", "{:.3g}", 1e3}, "m"},
+      {{"energy_excess", "energy excess (%)", "", "{:.2g}", 100}, ""},
+      {{"work", "work of pulls (J)", "", "{:.3g}"}, "J"},
+      {{"gap_end", "loops open (mm)", "", "{:.1e}", 1e3}, "m"},
+      {{"force_mismatch", "force mismatch (%)", "", "{:.2g}", 100}, ""},
+      {{"residual_median", "residual, median", "", "{:.1e}"}, "", by_criterion},
+      {{"residual_max", "residual, largest", "", "{:.1e}"}, "", by_criterion},
+      {{"nodes", "nodes, mean", "", "{:.1f}"}, ""},
+      {{"pivots", "pivots, mean", "", "{:.1f}"}, ""},
+      {{"wrong", "wrong", "", whole_number}, "frames", by_criterion},
+      {{"unclaimed", "unclaimed", "", whole_number}, "frames", by_criterion},
+      {{"not_run", "not run", "", whole_number}, "frames"},
+      {{"trivial", "trivial, of success", "", whole_number}, "frames", by_criterion},
+      {{"time_median_ms", "median time (ms)", "", "{:.3f}"}, "ms"},
   };
   return all;
 }

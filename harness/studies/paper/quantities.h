@@ -12,11 +12,8 @@ namespace lcp {
 /// A row of the paper's tables, or one of ours: a key in JSON, CSV and paper/published.json, a heading
 /// with the unit that a reader sees, named once for all that print it.
 struct PaperQuantity : ColumnHead {
-  std::string unit;     ///< Of the value in JSON and CSV; empty for plain numbers.
-  bool judged = false;  ///< Depends on the criterion of success.
-
-  PaperQuantity(std::string key, std::string heading, std::string unit,
-                std::string number = "{:.0f}", double scale = 1, bool judged = false);
+  std::string unit = {};  ///< Of the value in JSON and CSV; empty for plain numbers.
+  bool judged = false;    ///< Depends on the criterion of success.
 
   /// A published value as JSON holds it: what is counted is a whole number.
   Cell stated(const std::optional<double>& value) const;

@@ -1,6 +1,7 @@
 #include "harness/studies/paper/sections.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include "harness/present/escaping.h"
 
@@ -9,14 +10,10 @@ namespace lcp {
 namespace {
 
 /// A line of a tabular; what is indented for a terminal is so here too.
-std::string latex_line(const std::vector<std::string>& cells) {
-  std::string line;
-  for (const std::string& cell : cells) {
-    const bool indented = cell.starts_with("  ");
-    line += (line.empty() ? "" : " & ") + std::string(indented ? "\\quad " : "") +
-            latex_escaped(cell.substr(indented ? 2 : 0));
-  }
-  return line + " \\\\";
+std::string latex_line(std::vector<std::string> cells) {
+  for (std::string& cell : cells)
+    cell = cell.starts_with("  ") ? "\\quad " + latex_escaped(cell.substr(2)) : latex_escaped(cell);
+  return fmt::format("{} \\\\", fmt::join(cells, " & "));
 }
 
 std::string latex_tabular_of(const PaperSection& section) {

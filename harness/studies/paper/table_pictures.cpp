@@ -1,9 +1,9 @@
 #include "harness/studies/paper/table_pictures.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <string_view>
 
 namespace lcp {
 
@@ -13,6 +13,10 @@ namespace {
 std::string unindented(const std::string& label) {
   return label.substr(std::min(label.size(), label.find_first_not_of(' ')));
 }
+
+/// Columns of the choices.
+constexpr std::array<std::string_view, 4> pictured_choices = {
+    "failures", "nodes a frame", "violated contacts", "penetration (mm)"};
 
 constexpr const char* fell_in_the_loop = "in the loop, fell";
 
@@ -27,7 +31,7 @@ LegendEntry entry_of(const std::string& name, std::size_t place) {
 }
 
 /// The place of a name in the legend, where it is put if it is new.
-std::size_t entry(DotPage& page, const std::string& name) {
+std::size_t legend_place(DotPage& page, const std::string& name) {
   const auto found = std::find_if(page.legend.begin(), page.legend.end(),
                                   [&](const LegendEntry& each) { return each.name == name; });
   const auto place = static_cast<std::size_t>(found - page.legend.begin());
@@ -35,52 +39,52 @@ std::size_t entry(DotPage& page, const std::string& name) {
   return place;
 }
 
-double mark_of(const PaperQuantity& quantity, const Cell& value) {
-  return value.is_null() ? NAN : value.get<double>() * quantity.scale;
-}
-
-/// Of the sweep, with the thresholds at which the robot fell told apart.
-void add_sweep(const PaperTable& table, DotPage& page) {
-  for (const char* key : {"success", "failure", "total_pivots"}) {
-    const PaperQuantity& quantity = paper_quantity(key);
-    DotPanel panel{"sweep: " + quantity.heading, table.plan.deltas, {}};
-    for (std::string& row : panel.rows) row = "delta = " + row;
-    for (const bool fell : {false, true}) {
-      panel.series.push_back({entry(page, fell ? fell_in_the_loop : "in the loop"), {}});
-      for (const Cell& row : table.sweep)
-        panel.series.back().values.push_back(
-            row.at("fell") == int{fell} ? mark_of(quantity, row.at(key)) : NAN);
-    }
-    page.panels.push_back(std::move(panel));
+/// Adds a panel with a series of cells per name, which is NaN where there is no value.
+void add_panel(DotPage& page, const std::string& title, const std::vector<std::string>& rows,
+               const ColumnHead& head,
+               const std::vector<std::pair<std::string, std::vector<Cell>>>& series) {
+  page.panels.push_back({title, rows, {}});
+  for (const auto& [name, cells] : series) {
+    page.panels.back().series.push_back({legend_place(page, name), {}});
+    for (const Cell& cell : cells)
+      page.panels.back().series.back().values.push_back(
+          cell.is_null() ? NAN : head.scale * cell.get<double>());
   }
 }
 
 }  // namespace
 
 DotPage picture_of(const PaperTable& table) {
-  DotPage page{fmt::format("Table {}. {} ({})", std::string(table.plan.table, 'I'),
-                           table.published.title, table.published.section),
+  DotPage page{title_of(table),
                {},
                {},
                table.plan.by_scene()
                    ? "Each solver drives its own simulation of every scene."
                    : "In the loop each solver drives its own simulation; on corpus all solve the "
-                     "LCPs of one. "
-                     "Judged by the criterion of the paper, at 1e-6 by the natural residual."};
+                     "LCPs of one. Judged by the criterion of the paper, at 1e-6 by the natural "
+                     "residual."};
+  std::vector<std::string> columns, deltas;
+  for (const PaperColumn& column : table.columns) columns.push_back(column.heading);
+  for (const std::string& delta : table.plan.deltas) deltas.push_back("delta = " + delta);
   for (const std::string& key : table.plan.rows) {
     const PaperQuantity& quantity = paper_quantity(key);
-    const std::vector<PaperLine> lines = lines_of(table, quantity);
-    if (lines.empty() || lines.front().label != "published") continue;
-    DotPanel panel{unindented(quantity.heading), {}, {}};
-    for (const PaperColumn& column : table.columns) panel.rows.push_back(column.heading);
-    for (const PaperLine& line : lines) {
-      panel.series.push_back({entry(page, unindented(line.label)), {}});
-      for (const PaperCell& cell : line.cells)
-        panel.series.back().values.push_back(mark_of(quantity, cell.value));
+    std::vector<std::pair<std::string, std::vector<Cell>>> series;
+    for (const PaperLine& line : lines_of(table, quantity)) {
+      series.push_back({unindented(line.label), {}});
+      for (const PaperCell& cell : line.cells) series.back().second.push_back(cell.value);
     }
-    page.panels.push_back(std::move(panel));
+    add_panel(page, unindented(quantity.heading), columns, quantity, series);
   }
-  if (!table.sweep.empty()) add_sweep(table, page);
+  if (table.sweep.empty()) return page;
+  for (const char* key : {"success", "failure", "total_pivots"}) {
+    std::vector<Cell> stood, fell;  // The thresholds at which the robot fell are told apart.
+    for (const Cell& row : table.sweep) {
+      stood.push_back(row.at("fell") == 0 ? row.at(key) : Cell());
+      fell.push_back(row.at("fell") == 0 ? Cell() : row.at(key));
+    }
+    add_panel(page, "sweep: " + paper_quantity(key).heading, deltas, paper_quantity(key),
+              {{"in the loop", stood}, {fell_in_the_loop, fell}});
+  }
   return page;
 }
 
@@ -98,20 +102,15 @@ DotPage picture_of(const std::vector<ChoiceTable>& tables) {
       rows.back().replace(quote, 1, "\u2019");
   }
   for (const Column<LoopColumn>& column : choice_columns()) {
-    const auto& key = column.key;
-    if (key != "failures" && key != "nodes a frame" && key != "violated contacts" &&
-        key != "penetration (mm)")
-      continue;
-    DotPanel panel{key == "failures" ? "frames that failed" : key, rows, {}};
+    if (std::count(pictured_choices.begin(), pictured_choices.end(), column.key) == 0) continue;
+    std::vector<std::pair<std::string, std::vector<Cell>>> series;
     for (const ChoiceTable& table : tables) {
-      panel.series.push_back({entry(page, table.scene), {}});
-      for (const LoopColumn& each : table.columns) {
-        const Cell value = column.value(each);
-        panel.series.back().values.push_back(value.is_null() ? NAN
-                                                             : column.scale * value.get<double>());
-      }
+      series.push_back({table.scene, {}});
+      for (const LoopColumn& each : table.columns)
+        series.back().second.push_back(column.value(each));
     }
-    page.panels.push_back(std::move(panel));
+    add_panel(page, column.key == "failures" ? "frames that failed" : column.key, rows, column,
+              series);
   }
   return page;
 }

@@ -9,32 +9,6 @@
 
 namespace lcp {
 
-namespace {
-
-std::string figure_json(int figure, const std::vector<LoopSummary>& runs) {
-  nlohmann::json json = {{"figure", figure},
-                         {"picture", fmt::format("fig{}.svg", figure)},
-                         {"data", fmt::format("fig{}.csv", figure)},
-                         {"runs", nlohmann::json::array()}};
-  for (const LoopSummary& run : runs) json["runs"].push_back(figures_of(run));
-  return json.dump(1) + "\n";
-}
-
-std::string figure_latex(int figure, const std::vector<LoopSummary>& runs) {
-  std::string caption;
-  for (const LoopSummary& run : runs)
-    caption +=
-        fmt::format("{}\\texttt{{{}}} with \\texttt{{{}}} in the loop: {} of {} frames solved.",
-                    caption.empty() ? "" : " ", latex_escaped(run.scene), latex_escaped(run.solver),
-                    run.success, run.total_frames);
-  return fmt::format(
-      "% needs the package svg\n\\begin{{figure}}\n\\includesvg[width=\\linewidth]{{fig{}}}\n"
-      "\\caption{{{}}}\n\\end{{figure}}\n",
-      figure, caption);
-}
-
-}  // namespace
-
 void write_each_format(const std::filesystem::path& stem,
                        const std::function<std::string(TableFormat)>& rendered) {
   for (const auto& [ending, format] : {std::pair(".txt", TableFormat::text),
@@ -45,21 +19,28 @@ void write_each_format(const std::filesystem::path& stem,
 }
 
 std::string render_figure(int figure, const std::vector<LoopSummary>& runs, TableFormat format) {
-  switch (format) {
-    case TableFormat::text: {
-      std::string out;
-      for (const LoopSummary& run : runs) out += render(run);
-      return out;
-    }
-    case TableFormat::json:
-      return figure_json(figure, runs);
-    case TableFormat::latex:
-      return figure_latex(figure, runs);
-    case TableFormat::csv:
-      break;
+  if (format == TableFormat::csv)
+    throw std::invalid_argument(
+        fmt::format("figure {0}: expected text, json or latex; its data is fig{0}.csv", figure));
+  nlohmann::json json = {{"figure", figure},
+                         {"picture", fmt::format("fig{}.svg", figure)},
+                         {"data", fmt::format("fig{}.csv", figure)},
+                         {"runs", nlohmann::json::array()}};
+  std::string text, caption;
+  for (const LoopSummary& run : runs) {
+    json["runs"].push_back(figures_of(run));
+    text += render(run);
+    caption +=
+        fmt::format("{}\\texttt{{{}}} with \\texttt{{{}}} in the loop: {} of {} frames solved.",
+                    caption.empty() ? "" : " ", latex_escaped(run.scene), latex_escaped(run.solver),
+                    run.success, run.total_frames);
   }
-  throw std::invalid_argument(
-      fmt::format("figure {0}: expected text, json or latex; its data is fig{0}.csv", figure));
+  if (format == TableFormat::text) return text;
+  if (format == TableFormat::json) return json.dump(1) + "\n";
+  return fmt::format(
+      "% needs the package svg\n\\begin{{figure}}\n\\includesvg[width=\\linewidth]{{fig{}}}\n"
+      "\\caption{{{}}}\n\\end{{figure}}\n",
+      figure, caption);
 }
 
 }  // namespace lcp

@@ -16,7 +16,7 @@ namespace {
 namespace fs = std::filesystem;
 using nlohmann::json;
 
-constexpr double fallen = std::numbers::pi / 4;
+constexpr double fallen_tilt = std::numbers::pi / 4;
 
 json or_null(const std::optional<double>& value) { return value ? json(*value) : json(); }
 
@@ -54,7 +54,7 @@ void simulate(const fs::path& file, LoopColumn column, const NamedScene& scene,
 
 }  // namespace
 
-bool LoopColumn::fell() const { return summary.tilt_max > fallen || !summary.broken.empty(); }
+bool LoopColumn::fell() const { return summary.tilt_max > fallen_tilt || !summary.broken.empty(); }
 
 fs::path loop_file(const LoopQuestion& question) {
   std::string name = fmt::format("{}\n{}@{}.json", question.scene, question.solver,

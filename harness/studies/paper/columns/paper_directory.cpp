@@ -22,7 +22,7 @@ namespace {
 namespace fs = std::filesystem;
 using nlohmann::json;
 
-constexpr auto silence = std::chrono::minutes(2);  ///< A step may last.
+constexpr auto step_silence = std::chrono::minutes(2);  ///< A step may last.
 
 /// Held until the descriptor is closed. Child processes do not inherit it.
 FileDescriptor lock(const fs::path& directory) {
@@ -67,22 +67,19 @@ PaperDirectory::~PaperDirectory() {
 
 json PaperDirectory::read(const fs::path& file, const json& question) const {
   std::ifstream stream(file);
-  try {
-    if (!stream) throw std::invalid_argument("cannot be read");
-    json object = json::parse(stream);
-    const json& stored = question.is_null() ? question : object.at("question");
-    if (object.at("commit") == commit() && stored == question) return object;
-    throw std::domain_error(fmt::format(
-        "{} is of commit {}{}, this program is {}{}: move {} away, or name another directory with "
-        "--out",
-        file.string(), object.at("commit").get<std::string>(),
-        question.is_null() ? "" : " and " + stored.dump(), commit(),
-        question.is_null() ? "" : " and asks for " + question.dump(), path().string()));
-  } catch (const std::domain_error& error) {
-    throw std::invalid_argument(error.what());
-  } catch (const std::exception& error) {
-    throw UnreadableInput(fmt::format("{}: {}", file.string(), error.what()));
-  }
+  json object = json::parse(stream, nullptr, false);
+  const bool asks = !question.is_null();
+  if (!object.is_object() || !object.contains("commit") || (asks && !object.contains("question")))
+    throw UnreadableInput(fmt::format("{}: expected a JSON object with field 'commit'{}",
+                                      file.string(), asks ? " and field 'question'" : ""));
+  if (object["commit"] == commit() && (!asks || object["question"] == question)) return object;
+  const auto stated = [&](const json& commit, const char* has, const json& asked) {
+    return commit.dump() + (asks ? has + asked.dump() : "");
+  };
+  throw std::invalid_argument(fmt::format(
+      "{} is of commit {}, this program is {}: move {} away, or name another directory with --out",
+      file.string(), stated(object["commit"], " and ", asks ? object["question"] : json()),
+      stated(commit(), " and asks for ", question), path().string()));
 }
 
 void simulate_all(const PaperDirectory& directory, const std::vector<SimulatedTask>& tasks,
@@ -95,7 +92,7 @@ void simulate_all(const PaperDirectory& directory, const std::vector<SimulatedTa
     state.total += task.steps;
   }
   run_children(
-      work, jobs, silence,
+      work, jobs, step_silence,
       [&](const ChildEnd& end) {
         state.done += tasks[end.task].steps - beats[end.task];  // those that it did not come to
         if (!end.failure.empty()) tasks[end.task].failed(end.failure);

@@ -210,6 +210,10 @@ TEST(SceneTables, AreTheSameInEveryFormat) {
   const std::string latex = render(page, TableFormat::latex);
   EXPECT_NE(latex.find("hoist:10ms"), std::string::npos);
   EXPECT_GT(lines(latex), 50u);
+  const std::string table = latex.substr(latex.find("\\begin{tabular}"));
+  std::istringstream cells(table.substr(0, table.find("\\end")));
+  std::getline(cells, line);
+  while (std::getline(cells, line)) EXPECT_EQ(std::count(line.begin(), line.end(), '&'), 5) << line;
 }
 
 /// Two scenes that are done in no time, by the two solvers and one more.
