@@ -10,8 +10,4 @@ const std::map<std::string, TableFormat>& table_formats() {
   return all;
 }
 
-TableFormat chosen_format(const std::string& format, bool json) {
-  return json ? TableFormat::json : table_formats().at(format);
-}
-
 }  // namespace lcp::cli

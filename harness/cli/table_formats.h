@@ -10,7 +10,4 @@ namespace lcp::cli {
 /// Values of --format.
 const std::map<std::string, TableFormat>& table_formats();
 
-/// The format that --format and the flag --json, which stands for --format json, ask for.
-TableFormat chosen_format(const std::string& format, bool json);
-
 }  // namespace lcp::cli

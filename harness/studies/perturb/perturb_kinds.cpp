@@ -232,7 +232,7 @@ FrictionBlocks permuted_blocks(const FrictionBlocks& blocks, const Order& order)
 Order inverse(const Order& order) { return {inverse_of(order.rows), inverse_of(order.contacts)}; }
 
 Disturbed permuted(const Instance& instance, const Order& order, const std::string& label) {
-  Problem problem = keep_rows(instance.problem, order.rows);
+  Problem problem = restricted(instance.problem, order.rows);
   if (instance.problem.friction)
     problem.friction = permuted_blocks(*instance.problem.friction, order);
   return mapped(instance, std::move(problem), RowMap(order.rows), label);

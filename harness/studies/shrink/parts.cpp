@@ -46,24 +46,13 @@ Problem halve_directions(const Problem& problem) {
     place[row] = static_cast<Index>(rows.size());
     if (kept[row]) rows.push_back(row);
   }
-  Problem part = keep_rows(problem, rows);
+  Problem part = restricted(problem, rows);
   blocks.directions = blocks.directions(Eigen::all, directions).eval();
   blocks.directions_per_contact = m / 2;
   for (std::vector<Index>* list : {&blocks.normal_row, &blocks.friction_row, &blocks.cone_row})
     for (Index& row : *list)
       if (row >= 0) row = place[row];
   part.friction = std::move(blocks);
-  return part;
-}
-
-Problem keep_rows(const Problem& problem, const std::vector<Index>& rows) {
-  Problem part;
-  part.M = problem.M(rows, rows);
-  part.q = problem.q(rows);
-  part.s_z = problem.s_z(rows);
-  part.s_w = problem.s_w(rows);
-  if (problem.c.size() > 0) part.c = problem.c(rows);
-  part.pivot_limit = problem.pivot_limit;
   return part;
 }
 

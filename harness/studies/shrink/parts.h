@@ -14,11 +14,6 @@ bool can_halve_directions(const Problem& problem);
 /// The friction LCP with every second direction of each contact.
 Problem halve_directions(const Problem& problem);
 
-/// The principal sub-LCP of these rows, in the order given: M_SS, q_S, scales and covering vector with
-/// it, and without friction blocks, which no longer describe it. The z left out are 0, and their w not
-/// asked for.
-Problem keep_rows(const Problem& problem, const std::vector<Index>& rows);
-
 /// M and q rounded to so many significant decimal digits (17 leave a double as it is), each number by
 /// itself, so that what is symmetric stays so; without friction blocks where a number changes.
 Problem round_numbers(const Problem& problem, int digits);

@@ -36,7 +36,7 @@ void take_contacts(Problem& problem, Trials& trials) {
 }
 
 void take_rows(Problem& problem, Trials& trials) {
-  take_parts(problem, trials, problem.size(), keep_rows);
+  take_parts(problem, trials, problem.size(), restricted);
 }
 
 void take_directions(Problem& problem, Trials& trials) {

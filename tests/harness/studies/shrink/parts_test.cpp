@@ -67,7 +67,7 @@ TEST(Parts, HalfTheDirectionsAreTheLcpWithHalfAsMany) {
 
 TEST(Parts, RowsAreAPrincipalProblemInTheSameScales) {
   const Problem whole = friction_lcp(four_contacts());
-  const Problem part = keep_rows(whole, {0, 7, 9});
+  const Problem part = restricted(whole, {0, 7, 9});
   EXPECT_EQ(part.M(1, 2), whole.M(7, 9));
   EXPECT_EQ(part.q(2), whole.q(9));
   EXPECT_EQ(part.s_w(1), whole.s_w(7));

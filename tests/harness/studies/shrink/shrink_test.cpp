@@ -61,7 +61,7 @@ TEST(Shrink, LeavesNoRowThatCouldGo) {
     std::vector<Index> rows;
     for (Index i = 0; i < left.problem.size(); ++i)
       if (i != out) rows.push_back(i);
-    EXPECT_FALSE(rows.empty() || trials.keeps(keep_rows(left.problem, rows))) << out;
+    EXPECT_FALSE(rows.empty() || trials.keeps(restricted(left.problem, rows))) << out;
   }
 }
 

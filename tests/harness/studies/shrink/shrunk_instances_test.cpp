@@ -86,7 +86,7 @@ TEST_P(ShrunkInstance, NeedsEachOfItsRows) {
     std::vector<Index> rows;
     for (Index i = 0; i < instance_.problem.size(); ++i)
       if (i != out) rows.push_back(i);
-    EXPECT_FALSE(trials.keeps(keep_rows(instance_.problem, rows))) << "without row " << out + 1;
+    EXPECT_FALSE(trials.keeps(restricted(instance_.problem, rows))) << "without row " << out + 1;
   }
 }
 
