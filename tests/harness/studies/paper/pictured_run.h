@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "harness/studies/loop/in_the_loop.h"
 #include "harness/present/scenes/snapshots.h"
+#include "harness/studies/loop/in_the_loop.h"
 
 namespace lcp {
 

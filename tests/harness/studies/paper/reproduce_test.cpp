@@ -10,7 +10,7 @@
 #include "harness/studies/paper/table_pictures.h"
 #include "problems/io/errors.h"
 #include "solvers/registry.h"
-#include "tests/harness/temporary_directory.h"
+#include "tests/harness/studies/paper/reproduction_test.h"
 
 namespace lcp {
 namespace {
@@ -28,29 +28,9 @@ PaperPlan small_plan() {
   return plan;
 }
 
-class Reproduce : public testing::Test {
+class Reproduce : public ReproductionTest {
  protected:
-  std::optional<PaperTable> run(const PaperPlan& plan = small_plan()) {
-    return reproduce(plan, how(), interrupted_);
-  }
-  std::vector<std::string> missing() { return missing_work(small_plan(), how()); }
-  Reproduction how() {
-    Reproduction reproduction;
-    reproduction.directory = path();
-    return reproduction;
-  }
-  fs::path path() const { return directory_.file("table1"); }
-  /// When each simulation's file was written.
-  std::map<fs::path, fs::file_time_type> written() const {
-    std::map<fs::path, fs::file_time_type> times;
-    for (const fs::directory_entry& entry : fs::recursive_directory_iterator(path() / "loop"))
-      if (entry.path().extension() == ".json") times[entry.path()] = entry.last_write_time();
-    return times;
-  }
-  std::atomic<bool> interrupted_ = false;
-
- private:
-  TemporaryDirectory directory_;
+  Reproduce() : ReproductionTest(small_plan(), "table1") {}
 };
 
 TEST_F(Reproduce, SetsTheTableTogether) {

@@ -10,7 +10,7 @@
 #include "harness/studies/paper/table_pictures.h"
 #include "problems/scenes/scene.h"
 #include "solvers/registry.h"
-#include "tests/harness/temporary_directory.h"
+#include "tests/harness/studies/paper/reproduction_test.h"
 
 namespace lcp {
 namespace {
@@ -225,31 +225,9 @@ PaperPlan small_plan() {
   return plan;
 }
 
-class ScenesInTheLoop : public testing::Test {
+class ScenesInTheLoop : public ReproductionTest {
  protected:
-  std::optional<PaperTable> run(const PaperPlan& plan = small_plan()) {
-    return reproduce(plan, how(), interrupted_);
-  }
-  std::vector<std::string> missing(const PaperPlan& plan = small_plan()) {
-    return missing_work(plan, how());
-  }
-  Reproduction how() {
-    Reproduction reproduction;
-    reproduction.directory = path();
-    return reproduction;
-  }
-  fs::path path() const { return directory_.file("table3"); }
-  /// When each simulation's file was written.
-  std::map<fs::path, fs::file_time_type> written() const {
-    std::map<fs::path, fs::file_time_type> times;
-    for (const fs::directory_entry& entry : fs::recursive_directory_iterator(path() / "loop"))
-      if (entry.path().extension() == ".json") times[entry.path()] = entry.last_write_time();
-    return times;
-  }
-  std::atomic<bool> interrupted_ = false;
-
- private:
-  TemporaryDirectory directory_;
+  ScenesInTheLoop() : ReproductionTest(small_plan(), "table3") {}
 };
 
 TEST_F(ScenesInTheLoop, AreSimulatedByEverySolver) {
