@@ -48,6 +48,8 @@ VectorXd lengths_of_three(const VectorXd& stacked) {
 
 double largest_or_0(const VectorXd& values) { return values.size() > 0 ? values.maxCoeff() : 0; }
 
+/// Of lengths of 3-vectors: 3 times their sum over the number of components, whose bits committed results
+/// hold.
 double mean_or_0(const VectorXd& values) {
   const double sum = std::accumulate(values.begin(), values.end(), 0.0);
   return values.size() > 0 ? 3 * sum / static_cast<double>(3 * values.size()) : 0;
