@@ -38,7 +38,7 @@ nlohmann::json fields_to_json(const Struct& all, const Fields& fields) {
 }
 
 /// Throws std::invalid_argument `WHAT: field 'NAME'` where one is missing or malformed. With
-/// `null_is_nan` a null is a number that is none, as JSON spells it.
+/// `null_is_nan` a null is read as NaN, which JSON cannot spell.
 template <class Struct, class Fields>
 void fields_from_json(const nlohmann::json& object, Struct& all, const Fields& fields,
                       const std::string& what, bool null_is_nan = false) {

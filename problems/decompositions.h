@@ -10,7 +10,7 @@ namespace lcp {
 /// rounding of the largest, so that small ones may come out as 0.
 Eigen::VectorXd singular_values(const Eigen::MatrixXd& matrix);
 
-/// The same by Jacobi rotations, slower, which tell the small ones apart too.
+/// The same by Jacobi rotations, slower, but accurate for small ones too.
 Eigen::VectorXd small_singular_values(const Eigen::MatrixXd& matrix);
 
 /// Eigenvalues of a symmetric matrix, ascending, and their vectors, orthonormal, as columns. The lower

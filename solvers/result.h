@@ -23,7 +23,7 @@ enum class Claim {
   unsupported,  ///< The method does not apply to this problem; `message` says why.
 };
 
-/// Deterministic counts of what was done.
+/// Deterministic counts of the work.
 struct Work {
   Index pivots = 0;     ///< Basis changes computed, abandoned branches included ("total pivots").
   Index path = 0;       ///< Basis changes on the path to the returned basis.
@@ -35,7 +35,7 @@ struct Work {
   Index sweeps = 0;          ///< Passes of an iterative method.
   Index start_pivots = 0;    ///< Principal pivots taken to enter the starting basis, |alpha|.
   /// Times a start was replaced by a cold one: an unusable basis with restart=cold, a two-step solve
-  /// whose first step failed, or a previous solution that there is none of; or a search was given up
+  /// whose first step failed, or a missing previous solution; or a search was given up
   /// for another (patience).
   Index restarts = 0;
   Index frictionless_pivots = 0;  ///< Of the first step of a two-step solve; not in `pivots`.

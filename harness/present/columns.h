@@ -83,7 +83,7 @@ struct TextStyle {
 /// style's width, the columns that do not fit follow as another block with the names repeated.
 std::string text_table(const CellTable& table, const TextStyle& style = {});
 
-/// A line per column that has a meaning and is shown of the table: `  heading  meaning`, broken at
+/// A line for each column that text_table shows and that has a meaning: `  heading  meaning`, broken at
 /// `width` letters.
 std::string legend(const CellTable& table, std::size_t width = 100);
 

@@ -18,8 +18,8 @@ struct SceneMoments {
   const NamedScene* scene = nullptr;
   std::vector<Snapshot> snapshots = {};
   std::size_t most_in_a_row = 5;
-  double height = 300;      ///< Of a panel without its title, pixels,
-  double most_width = 400;  ///< unless it became wider than this.
+  double height = 300;      ///< Of a panel without its title, pixels.
+  double most_width = 400;  ///< Of a panel, pixels; it is less high where it would be wider.
   double least_width = 0;   ///< Pixels.
   std::string name = {};    ///< Before the times.
   bool letters = false;     ///< (a), (b), ... before the times.

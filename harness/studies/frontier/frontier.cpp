@@ -161,7 +161,7 @@ RunPlan plan_of(const OpenDraws& open, const FrontierPlan& plan, const std::stri
   return cell;
 }
 
-/// What run.json tells of the instances: what --resume may not change.
+/// Facts about the instances in run.json, which --resume may not change.
 Origin origin_of(const FrontierPlan& plan) {
   return {"",
           {plan.grid.family, "--x " + to_string(plan.grid.x), "--y " + to_string(plan.grid.y),

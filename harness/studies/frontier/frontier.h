@@ -21,8 +21,8 @@ struct FrontierPlan {
   FrontierGrid grid;
   RunPlan limits;  ///< Solvers, tolerance, limits and jobs; the rest is filled by run_frontier.
   std::uint64_t seed = 1;
-  Index count = 8;       ///< Draws of a cell, and how many are added at a time,
-  Index max_count = 64;  ///< up to so many.
+  Index count = 8;       ///< Draws of a cell, and how many are added at a time.
+  Index max_count = 64;  ///< Draws of a cell at most.
   double band =
       0.5;  ///< Widest band asked for on a geometric y, in decades; elsewhere, and where it
             ///< is longer, a step of the grid.
@@ -76,8 +76,8 @@ std::vector<SharePoint> share_points(const KnobAxis& y, const FrontierColumn& co
 struct SeedAgreement {
   std::vector<bool> column_agrees;  ///< By x: see agree().
   Index agree = 0;                  ///< Columns that do.
-  Index lines = 0;                  ///< Columns with a line in both,
-  Index within = 0;                 ///< of these, where the second lies in the first's own band.
+  Index lines = 0;                  ///< Columns with a line in both.
+  Index within = 0;  ///< Of `lines`, those where the second lies in the first's own band.
 };
 
 /// By solver.

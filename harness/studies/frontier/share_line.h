@@ -62,8 +62,8 @@ std::vector<double> monotone_fit(const std::vector<SharePoint>& points, bool ris
 struct ShareLine {
   enum class Kind {
     crossing,  ///< Once: at `u`.
-    above,     ///< The fit is at least 1/2 in every cell,
-    below,     ///< or at most 1/2.
+    above,     ///< The fit is at least 1/2 in every cell.
+    below,     ///< The fit is at most 1/2 in every cell.
     several,   ///< Decided cells change sides more than once: at each of `crossings`.
     nothing,   ///< No cell has a counted draw.
   };

@@ -9,8 +9,8 @@ namespace lcp {
 /// How far a simulation is from another one of the same bodies at one instant.
 struct Drift {
   double time = 0;           ///< s.
-  double distance = 0;       ///< Largest between the two places of a link's centre of mass, m,
-  double mean_distance = 0;  ///< and mean over the links.
+  double distance = 0;       ///< Largest between the two places of a link's centre of mass, m.
+  double mean_distance = 0;  ///< Of links' centres of mass, mean over the links, m.
   /// Difference of the contact forces on a mechanism, averaged over the time window that ends here
   /// (nothing acts before the start), over the weight of all; of the mechanism where it is largest.
   double force = 0;

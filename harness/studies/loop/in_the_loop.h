@@ -12,7 +12,7 @@
 
 namespace lcp {
 
-/// What happened in one frame of a simulation. Frames without contact have none of what solvers do.
+/// What happened in one frame of a simulation. In frames without contact no solver is asked.
 struct FrameRecord {
   Index frame = 0;
   double time = 0;         ///< s.
@@ -26,8 +26,8 @@ struct FrameRecord {
   Applied applied = Applied::none;
   Accuracy accuracy = {};  ///< Of the frictional answer.
   Index violated = 0;      ///< Contacts whose w_a is below -1e-6 s_w under the forces that act.
-  Work work;               ///< Of the frictional solve,
-  Work frictionless_work;  ///< and of the one before, which is none where nothing has friction.
+  Work work;               ///< Of the frictional solve.
+  Work frictionless_work;  ///< Of the frictionless solve before; all 0 where nothing has friction.
   std::int64_t frictional_ns = 0, frictionless_ns = 0;
   std::int64_t step_ns = 0;  ///< The whole step, solves included; no judging, no looking.
   /// The same of both solves and of the step in processor time of the process, to which waiting for
@@ -40,8 +40,8 @@ struct FrameRecord {
   double tilt = 0;                      ///< Angle between its z axis and the vertical, rad.
   std::vector<Vector3d> handle_forces;  ///< Contact force on each handle, N, world axes.
   Vector3d pull = Vector3d::Zero();     ///< Sum of the forces that pull at links, N.
-  double kinetic = 0;                   ///< Energy, J,
-  double energy = 0;                    ///< and with the potential energy over z = 0.
+  double kinetic = 0;                   ///< Energy, J.
+  double energy = 0;                    ///< Kinetic and potential, the latter over z = 0, J.
   double pull_work = 0;                 ///< Done so far by what pulls at links, J.
   double gap = 0;                       ///< By which the joint of a loop is open at most, m.
 };

@@ -18,14 +18,14 @@ struct LoopSummary : LoopHeader {
   Index cycle = 0;                  ///< cycle, limit.
   Index error = 0;                  ///< wrong, singular.
   Index unsupported = 0;            ///< Not in failure.
-  Index frictionless_failures = 0;  ///< Frames whose frictionless LCP failed,
-  Index both_failures = 0;          ///< and whose frictional one failed too: no force acted.
+  Index frictionless_failures = 0;  ///< Frames whose frictionless LCP failed.
+  Index both_failures = 0;          ///< Frames whose two LCPs both failed: no force acted.
   Index restarts = 0;               ///< Frictional LCPs started cold for want of a start.
   double contacts = 0, active = 0;  ///< Means.
   Index violated = 0;           ///< Contacts that close under the forces that act, over all frames.
   Index pivots = 0, nodes = 0;  ///< Of the frictional solves, totals.
-  double lcp_ms = 0;            ///< Mean time of a frictional solve,
-  double simulation_ms = 0;     ///< and of a step with contact, solves included.
+  double lcp_ms = 0;            ///< Mean time of a frictional solve.
+  double simulation_ms = 0;     ///< Mean time of a step with contact, solves included.
   double outside_ms = 0;        ///< Mean time of a step without its two solves.
   double residual_median = NAN, residual_max = NAN;  ///< Natural, scaled, of the solved; if any.
   double depth_max = 0;                              ///< m.

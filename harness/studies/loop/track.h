@@ -27,11 +27,11 @@ struct Track : LoopHeader {
   VectorXd depth;     ///< Frames: largest overlap, m.
   VectorXd energy;    ///< Frames: kinetic and potential over z = 0, J.
   VectorXd residual;  ///< Frames: natural, scaled, of the frictional answer; NaN without contact.
-  Index contact_frames = 0;  ///< Frames with contact,
-  Index failed = 0;          ///< those whose frictional LCP failed,
-  double n = 0;              ///< and mean size of it.
-  VectorXd lcp_s;            ///< Frames: processor time of the LCPs, s,
-  VectorXd step_s;           ///< and of the whole step.
+  Index contact_frames = 0;  ///< Frames with contact.
+  Index failed = 0;          ///< Frames whose frictional LCP failed.
+  double n = 0;              ///< Mean size of the frictional LCP over frames with contact.
+  VectorXd lcp_s;            ///< Frames: processor time of the LCPs, s.
+  VectorXd step_s;           ///< Frames: processor time of the whole step, s.
   double elapsed_s = 0;      ///< From start to end, judging included, s.
 
   Index frames() const { return time.size(); }
@@ -39,7 +39,7 @@ struct Track : LoopHeader {
 };
 
 /// The mechanism that each link belongs to, counted from 0 by first links: links held together by
-/// joints. What hangs at the world by several joints is as many mechanisms.
+/// joints. Links that hang from the world by several joints are as many mechanisms.
 std::vector<Index> mechanisms(const Model& model);
 
 /// Disturbs the velocities that a scene starts with by up to `size` (m/s, rad/s), uniformly;

@@ -27,8 +27,8 @@ LoopRun write_figure(int figure, const std::filesystem::path& directory, const N
 struct FilmedScene {
   NamedScene scene;
   std::vector<double> times;  ///< s.
-  double azimuth = 0;         ///< Where the viewer stands, degrees from x towards y,
-  double elevation = 14;      ///< and above the horizon.
+  double azimuth = 0;         ///< Where the viewer stands, degrees from x towards y.
+  double elevation = 14;      ///< Of the viewer above the horizon, degrees.
   double height = 240;        ///< Of its pictures, pixels.
 };
 

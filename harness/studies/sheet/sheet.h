@@ -91,8 +91,9 @@ struct Setting {
 struct SheetRow {
   std::size_t setting = 0;  ///< Its place in Sheet::settings.
   Mass mass;
-  std::optional<Spread> cost;      ///< Empty when nothing was solved,
-  std::optional<Spread> residual;  ///< as this. Natural residual, scaled; exact zeros stay 0.
+  std::optional<Spread> cost;  ///< Empty when nothing was solved.
+  std::optional<Spread>
+      residual;  ///< Natural, scaled; exact zeros stay 0; empty when nothing was solved.
   std::optional<double> shifted_mean;
   std::optional<double> slowdown;
   Index best = 0;  ///< Instances on which no setting costs less.

@@ -77,8 +77,8 @@ struct ModelRow {
   double until = 0;          ///< s, simulated.
   std::string broken;        ///< Why not to the end.
   bool stopped = false;      ///< In that it took too long.
-  Index frames = 0;          ///< With contact,
-  Index failed = 0;          ///< and those whose frictional LCP failed.
+  Index frames = 0;          ///< With contact.
+  Index failed = 0;          ///< Frames whose frictional LCP failed.
   double n = 0;              ///< Mean size of the LCP.
   double lcp = 0, step = 0;  ///< Processor time of LCPs and of all, s per simulated s.
   Saving lcp_saved = {}, step_saved = {};

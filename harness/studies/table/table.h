@@ -58,8 +58,9 @@ struct TableRow {
 struct Table {
   /// By corpus, then by solver and its start, each in order of first appearance.
   std::vector<TableRow> rows;
-  double tolerance = 0;  ///< At which `solved` was judged,
-  Acceptance::Criterion criterion = Acceptance::Criterion::residual;  ///< and by what.
+  double tolerance = 0;  ///< At which `solved` was judged.
+  Acceptance::Criterion criterion =
+      Acceptance::Criterion::residual;  ///< By which `solved` was judged.
   std::string start;  ///< Of the rows; where they differ, all kinds, joined by ", ".
   bool several_starts = false;
   int jobs = 1;  ///< Most pairs that ran at the same time: it disturbs times.
